@@ -1,0 +1,128 @@
+#include <particulate/kinematics/particles.hpp>
+
+#include <limits>
+#include <stdexcept>
+
+#include "close.hpp"
+
+using particulate::kinematics::Particles;
+using particulate::kinematics::relative_motion;
+using particulate::kinematics::RelativeMotion;
+using particulate::kinematics::set_vector;
+using particulate::kinematics::validate;
+using particulate::kinematics::vector;
+using particulate::kinematics::Vectors;
+using tests::close;
+using tests::says;
+
+namespace {
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+Particles two_particles() {
+  return {.position = Vectors{{1.0, 2.0, 3.0}, {4.0, 6.0, 8.0}},
+          .velocity = Vectors{{0.0, -1.0, 0.5}, {0.25, 1.0, 0.5}},
+          .mass = Eigen::Vector2d(1.0, 2.0),
+          .radius = Eigen::Vector2d(0.0, 0.5)};
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(validate_)
+
+BOOST_AUTO_TEST_CASE(accepts_particles_without_size_and_no_particle_at_all) {
+  BOOST_CHECK_NO_THROW(validate(two_particles()));
+  BOOST_CHECK_NO_THROW(validate(Particles{}));
+}
+
+BOOST_AUTO_TEST_CASE(names_all_lengths_where_one_differs) {
+  const auto refuses = [](const Particles& particles, const char* words) {
+    BOOST_CHECK_EXCEPTION(validate(particles), std::invalid_argument, says(words));
+  };
+  Particles particles = two_particles();
+  particles.position.resize(3, 3);
+  refuses(particles, "must hold one entry a particle, got 3, 2, 2 and 2");
+  particles = two_particles();
+  particles.velocity.resize(1, 3);
+  refuses(particles, "got 2, 1, 2 and 2");
+  particles = two_particles();
+  particles.mass.resize(4);
+  refuses(particles, "got 2, 2, 4 and 2");
+  particles = two_particles();
+  particles.radius.resize(0);
+  refuses(particles, "got 2, 2, 2 and 0");
+}
+
+BOOST_AUTO_TEST_CASE(names_the_particle_that_is_not_finite) {
+  Particles particles = two_particles();
+  particles.position(1, 2) = not_a_number;
+  BOOST_CHECK_EXCEPTION(validate(particles), std::invalid_argument,
+                        says("positions must be finite, got (4, 6, nan) m for particle 1"));
+  particles = two_particles();
+  particles.velocity(0, 0) = -infinity;
+  BOOST_CHECK_EXCEPTION(validate(particles), std::invalid_argument,
+                        says("velocities must be finite, got (-inf, -1, 0.5) m/s for particle 0"));
+}
+
+BOOST_AUTO_TEST_CASE(names_the_particle_whose_mass_is_none) {
+  for (const double mass : {0.0, -1.0, infinity, not_a_number}) {
+    Particles particles = two_particles();
+    particles.mass[1] = mass;
+    BOOST_CHECK_EXCEPTION(validate(particles), std::invalid_argument, says("masses must be positive and finite, got "));
+    BOOST_CHECK_EXCEPTION(validate(particles), std::invalid_argument, says("kg for particle 1"));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(names_the_particle_whose_radius_is_none) {
+  for (const double radius : {-1e-300, infinity, not_a_number}) {
+    Particles particles = two_particles();
+    particles.radius[0] = radius;
+    BOOST_CHECK_EXCEPTION(validate(particles), std::invalid_argument, says("radii must be finite and not negative"));
+    BOOST_CHECK_EXCEPTION(validate(particles), std::invalid_argument, says("m for particle 0"));
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(vector_)
+
+BOOST_AUTO_TEST_CASE(reads_the_row_of_a_particle) {
+  BOOST_TEST(close(vector(two_particles().position, 1), Eigen::Vector3d(4.0, 6.0, 8.0), {}));
+}
+
+BOOST_AUTO_TEST_CASE(reads_one_contiguous_column_a_component) {
+  const Vectors position = two_particles().position;
+  BOOST_TEST(position.data()[0] == 1.0);
+  BOOST_TEST(position.data()[1] == 4.0);
+  BOOST_TEST(position.data()[2] == 2.0);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(set_vector_)
+
+BOOST_AUTO_TEST_CASE(writes_one_particle_and_no_other) {
+  Vectors position = two_particles().position;
+  set_vector(position, 0, {-1.0, -2.0, -3.0});
+  BOOST_TEST(close(position, Vectors{{-1.0, -2.0, -3.0}, {4.0, 6.0, 8.0}}, {}));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(relative_motion_)
+
+// (1, 2, 3) - (4, 6, 8) and (0, -1, 0.5) - (0.25, 1, 0.5).
+BOOST_AUTO_TEST_CASE(is_the_first_as_seen_from_the_second) {
+  const RelativeMotion seen = relative_motion(two_particles(), 0, 1);
+  BOOST_TEST(close(seen.position, Eigen::Vector3d(-3.0, -4.0, -5.0), {}));
+  BOOST_TEST(close(seen.velocity, Eigen::Vector3d(-0.25, -2.0, 0.0), {}));
+}
+
+BOOST_AUTO_TEST_CASE(turns_its_sign_when_the_particles_are_exchanged) {
+  const RelativeMotion there = relative_motion(two_particles(), 0, 1), back = relative_motion(two_particles(), 1, 0);
+  BOOST_TEST(close(there.position, -back.position, {}));
+  BOOST_TEST(close(there.velocity, -back.velocity, {}));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
