@@ -1,0 +1,56 @@
+#include <particulate/schemes/integrate.hpp>
+
+#include <cmath>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+namespace particulate::schemes {
+
+namespace {
+
+void validate_times(double t, double t_end) {
+  if (!std::isfinite(t)) throw std::invalid_argument(fmt::format("run: the start time must be finite, got {} s", t));
+  if (!(t_end >= t && std::isfinite(t_end))) {
+    throw std::invalid_argument(
+        fmt::format("run: the end time must be finite and not before the start at {} s, got {} s", t, t_end));
+  }
+}
+
+void validate_finite(const Eigen::VectorXd& x, const char* what) {
+  for (Eigen::Index k = 0; k < x.size(); ++k) {
+    if (!std::isfinite(x[k])) {
+      throw std::invalid_argument(fmt::format("run: {} must start finite, got {} in entry {}", what, x[k], k));
+    }
+  }
+}
+
+}  // namespace
+
+void validate_run(const Motion& state, double t_end) {
+  validate_times(state.t, t_end);
+  if (state.r.size() != state.v.size()) {
+    throw std::invalid_argument(fmt::format("run: positions and velocities must have one length, got {} and {}",
+                                            state.r.size(), state.v.size()));
+  }
+  validate_finite(state.r, "positions");
+  validate_finite(state.v, "velocities");
+}
+
+void validate_run(const Values& state, double t_end) {
+  validate_times(state.t, t_end);
+  validate_finite(state.y, "values");
+}
+
+bool is_finite(const Motion& state) { return std::isfinite(state.t) && state.r.allFinite() && state.v.allFinite(); }
+
+bool is_finite(const Values& state) { return std::isfinite(state.t) && state.y.allFinite(); }
+
+std::string too_small(double t, double dt) {
+  return fmt::format(
+      "the step must change the time, but t + Dt = t with t = {} s and Dt = {} s: choose a larger step, or count time "
+      "from nearer the start",
+      t, dt);
+}
+
+}  // namespace particulate::schemes

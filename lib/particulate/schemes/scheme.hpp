@@ -1,0 +1,97 @@
+#pragma once
+
+#include <concepts>
+#include <limits>
+#include <string>
+
+#include <particulate/schemes/problem.hpp>
+
+/// @file
+/// What a scheme and its step control must offer, and how a run ends. Nothing here knows a force law or a stage count.
+
+namespace particulate::schemes {
+
+/// Iteration of one attempted step; of the controlling field, where several are staggered.
+///
+/// Sweeps are numbered from 0: w_0 is the change made by the first, w_K by the last, with K contractions between. An
+/// explicit scheme makes no sweep: K stays -1.
+struct Iteration {
+  double w_0 = 0.0;       ///< change of the first sweep over the displacement of the step, 0 where nothing moves [-]
+  double w_K = 0.0;       ///< change of the last sweep over the displacement of the step, 0 where nothing moves [-]
+  double change = 0.0;    ///< the last sweep's change, not normalized, in the problem's measure
+  double rate = 0.0;      ///< the last change over the one before it: the contraction that was seen [-]
+  int K = -1;             ///< contractions so far; -1: no sweep yet [-]
+  int p = 2;              ///< contraction ~ Dt^p: 2 for second-order problems, 1 for first-order ones [-]
+  bool evaluated = true;  ///< false: the problem had no value, or no finite one, at some iterate
+};
+
+/// A scheme is a value: copying it checkpoints whatever history it keeps.
+///
+/// `predict(problem, from, dt, to)` gives the first guess of the step, which is an explicit scheme's answer, and
+/// returns whether the problem had a value; `accept(dt)` keeps the step's history for the next one; `forget()` drops
+/// it, because the state was changed from outside.
+template <class S, class P, class State>
+concept Scheme = std::copyable<S> && requires(S& s, P& p, const State& from, double dt, State& to) {
+  { S::order } -> std::convertible_to<int>;
+  { s.predict(p, from, dt, to) } -> std::same_as<bool>;
+  s.accept(dt);
+  s.forget();
+};
+
+/// A scheme that improves its guess by sweeps: `sweep(problem, from, dt, to)`. One sweep is the unit, so that the
+/// fixed point of the monograph, collocation, Newton and staggered fields fit one loop.
+template <class S, class P, class State>
+concept Iterative = Scheme<S, P, State> && requires(S& s, P& p, const State& from, double dt, State& to) {
+  { s.sweep(p, from, dt, to) } -> std::same_as<Iteration>;
+};
+
+/// A scheme with dense output: `at(from, dt, theta, there)`, the state at a fraction theta of the step just made.
+template <class S, class State>
+concept Dense = requires(const S& s, const State& from, double dt, double theta, State& there) {
+  s.at(from, dt, theta, there);
+};
+
+/// One attempted step, as its controller sees it.
+struct Attempt {
+  double dt;                                                     ///< the step that was tried [s]
+  Iteration iteration;                                           ///< how its iteration went
+  double truncation = std::numeric_limits<double>::quiet_NaN();  ///< estimated; NaN: this scheme has no estimate
+};
+
+/// What the controller made of an attempt.
+struct Decision {
+  bool accepted;           ///< the step stands
+  std::string impossible;  ///< not empty: no smaller step is left to try, and why
+};
+
+/// Chooses step sizes: `dt()` is the step to try next, `goes_on(iteration)` asks for one more sweep, `judge(attempt)`
+/// accepts or refuses and sets the next step; `validate(controller)` throws std::invalid_argument when a run starts.
+template <class C>
+concept Controller = std::copyable<C> && requires(C& c, const C& seen, const Iteration& sweeping, const Attempt& made) {
+  { seen.dt() } -> std::convertible_to<double>;
+  { seen.goes_on(sweeping) } -> std::same_as<bool>;
+  { c.judge(made) } -> std::same_as<Decision>;
+  validate(seen);
+};
+
+/// How a run ended.
+enum class Status {
+  reached,  ///< the end time was reached
+  stopped,  ///< the observer asked to stop
+  failed    ///< it could not go on; the reason says why
+};
+
+/// What a run did. The state that it leaves belongs to time t, whatever the status.
+struct [[nodiscard]] Outcome {
+  Status status = Status::reached;  ///< how it ended
+  std::string reason;               ///< why it stopped or failed: what was seen, what would have worked
+  double t = 0.0;                   ///< the time of the state that was left [s]
+  long steps = 0;                   ///< accepted steps [-]
+  long rejections = 0;              ///< steps that were refused and tried again [-]
+  long sweeps = 0;                  ///< sweeps of the iteration, in refused steps too [-]
+  long evaluations = 0;             ///< right-hand sides [-]
+  long impacts = 0;                 ///< impulses exchanged by jumps [-]
+  double contraction = 0.0;         ///< largest Iteration::rate seen [-]
+};
+
+}  // namespace particulate::schemes

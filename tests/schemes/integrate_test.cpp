@@ -1,0 +1,483 @@
+#include <particulate/schemes/integrate.hpp>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+#include <vector>
+
+#include <particulate/schemes/fixed_step.hpp>
+#include <particulate/schemes/runge_kutta.hpp>
+#include <particulate/schemes/verlet.hpp>
+
+#include "close.hpp"
+
+using boost::test_tools::tolerance;
+using particulate::schemes::Attempt;
+using particulate::schemes::attempt;
+using particulate::schemes::Decision;
+using particulate::schemes::FixedStep;
+using particulate::schemes::In;
+using particulate::schemes::integrate;
+using particulate::schemes::is_finite;
+using particulate::schemes::Iteration;
+using particulate::schemes::Jump;
+using particulate::schemes::Motion;
+using particulate::schemes::Out;
+using particulate::schemes::Outcome;
+using particulate::schemes::rounding_of_time;
+using particulate::schemes::RungeKutta4;
+using particulate::schemes::Status;
+using particulate::schemes::step_towards_end;
+using particulate::schemes::validate_run;
+using particulate::schemes::Values;
+using particulate::schemes::VelocityVerlet;
+using tests::close;
+using tests::says;
+
+namespace {
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+struct Spring {
+  bool acceleration(double, In r, Out a) const {
+    a = -r;
+    return true;
+  }
+};
+
+// y' = y^2 leaves every bound at t = 1.
+struct Explosion {
+  bool rate(double, In y, Out dy) const {
+    dy = y.cwiseAbs2();
+    return true;
+  }
+};
+
+// y' = 1 as long as t is not beyond a limit.
+struct Limited {
+  double limit;
+  bool rate(double t, In, Out dy) const {
+    dy.setOnes();
+    return t <= limit;
+  }
+};
+
+// A stone above a floor at 0, g = 2 m/s^2; the floor sends it back as fast as it came.
+struct Bouncing {
+  std::string unsettled;
+  bool acceleration(double, In, Out a) const {
+    a.setConstant(-2.0);
+    return true;
+  }
+  Jump jump(Motion& at, double) const {
+    if (!(at.r[0] <= 0.0 && at.v[0] < 0.0)) return {};
+    at.v = -at.v;
+    return {.impacts = 1, .energy_change = 0.0, .unsettled = unsettled};
+  }
+};
+
+struct CountsForgetting : VelocityVerlet {
+  int accepted = 0, forgotten = 0;
+  void accept(double dt) {
+    ++accepted;
+    VelocityVerlet::accept(dt);
+  }
+  void forget() {
+    ++forgotten;
+    VelocityVerlet::forget();
+  }
+};
+
+// Halves the step, to whatever it takes, where there is no value; says no where it is too small.
+struct Halving {
+  double step, smallest;
+  std::vector<double> tried{};
+  double dt() const { return step; }
+  bool goes_on(const Iteration& it) const { return it.K < 2; }
+  Decision judge(const Attempt& made) {
+    tried.push_back(made.dt);
+    if (made.iteration.evaluated) return {.accepted = true, .impossible = {}};
+    step = 0.5 * made.dt;
+    return {.accepted = false, .impossible = step < smallest ? "no smaller step is left" : ""};
+  }
+};
+void validate(const Halving& control) {
+  if (!(control.step > 0.0)) throw std::invalid_argument("halving: step must be positive");
+}
+
+// Predicts by Euler's rule, and sweeps without changing anything: contractions 0.5, 0.25, ...
+struct Sweeping {
+  static constexpr int order = 1;
+  int K = -1;
+  template <class P>
+  bool predict(P& problem, const Values& from, double dt, Values& to) {
+    Eigen::VectorXd dy(from.y.size());
+    K = -1;
+    if (!problem.rate(from.t + dt, from.y, dy)) return false;
+    to = {from.t + dt, from.y + dt * dy};
+    return true;
+  }
+  template <class P>
+  Iteration sweep(P& problem, const Values& from, double dt, Values& to) {
+    Eigen::VectorXd dy(from.y.size());
+    const bool evaluated = problem.rate(from.t + dt, to.y, dy);
+    return {.rate = K < 0 ? 0.0 : std::pow(0.5, K + 1), .K = ++K, .evaluated = evaluated};
+  }
+  void accept(double) {}
+  void forget() {}
+};
+
+Motion displaced() { return {0.0, Eigen::VectorXd::Ones(1), Eigen::VectorXd::Zero(1)}; }
+Values one(double t = 0.0) { return {t, Eigen::VectorXd::Ones(1)}; }
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(validate_run_)
+
+BOOST_AUTO_TEST_CASE(accepts_a_run_of_no_length_and_a_state_of_no_length) {
+  BOOST_CHECK_NO_THROW(validate_run(displaced(), 0.0));
+  BOOST_CHECK_NO_THROW(validate_run(Motion{}, 1.0));
+  BOOST_CHECK_NO_THROW(validate_run(Values{}, 1.0));
+}
+
+BOOST_AUTO_TEST_CASE(refuses_times_that_cannot_be_meant) {
+  for (const double bad : {not_a_number, infinity, -infinity}) {
+    Motion motion = displaced();
+    motion.t = bad;
+    BOOST_CHECK_EXCEPTION(validate_run(motion, 1.0), std::invalid_argument,
+                          says("the start time must be finite, got "));
+    BOOST_CHECK_EXCEPTION(validate_run(one(bad), 1.0), std::invalid_argument, says("the start time must be finite"));
+    BOOST_CHECK_EXCEPTION(validate_run(one(), bad), std::invalid_argument, says("the end time must be finite"));
+  }
+  BOOST_CHECK_EXCEPTION(validate_run(one(2.0), 1.5), std::invalid_argument,
+                        says("not before the start at 2 s, got 1.5 s"));
+}
+
+BOOST_AUTO_TEST_CASE(refuses_positions_and_velocities_of_different_lengths) {
+  Motion motion = displaced();
+  motion.v.resize(3);
+  BOOST_CHECK_EXCEPTION(validate_run(motion, 1.0), std::invalid_argument, says("must have one length, got 1 and 3"));
+}
+
+BOOST_AUTO_TEST_CASE(names_the_entry_that_is_not_finite) {
+  const Eigen::Vector3d bad(0.0, 1.0, not_a_number), good = Eigen::Vector3d::Zero();
+  BOOST_CHECK_EXCEPTION(validate_run(Motion{0.0, bad, good}, 1.0), std::invalid_argument,
+                        says("positions must start finite, got nan in entry 2"));
+  BOOST_CHECK_EXCEPTION(validate_run(Motion{0.0, good, bad}, 1.0), std::invalid_argument,
+                        says("velocities must start finite, got nan in entry 2"));
+  BOOST_CHECK_EXCEPTION(validate_run(Values{0.0, bad}, 1.0), std::invalid_argument,
+                        says("values must start finite, got nan in entry 2"));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(is_finite_)
+
+BOOST_AUTO_TEST_CASE(looks_at_every_number) {
+  const Eigen::Vector2d good(1.0, -1e308), bad(0.0, -infinity);
+  BOOST_TEST(is_finite(Motion{0.0, good, good}));
+  BOOST_TEST(!is_finite(Motion{0.0, bad, good}));
+  BOOST_TEST(!is_finite(Motion{0.0, good, bad}));
+  BOOST_TEST(!is_finite(Motion{not_a_number, good, good}));
+  BOOST_TEST(is_finite(Values{0.0, good}));
+  BOOST_TEST(!is_finite(Values{0.0, bad}));
+  BOOST_TEST(!is_finite(Values{infinity, good}));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(attempt_)
+
+BOOST_AUTO_TEST_CASE(makes_no_sweep_with_an_explicit_scheme) {
+  RungeKutta4 scheme;
+  const Limited problem{1.0};
+  Values to;
+  const Iteration it = attempt(scheme, problem, one(), 0.5, to, FixedStep{.step = 0.5});
+  BOOST_TEST(it.evaluated);
+  BOOST_TEST(it.K == -1);
+  BOOST_TEST(to.y[0] == 1.5);
+}
+
+BOOST_AUTO_TEST_CASE(sweeps_once_and_then_for_as_long_as_the_controller_asks) {
+  Sweeping scheme;
+  const Limited problem{1.0};
+  Values to;
+  BOOST_TEST(attempt(scheme, problem, one(), 0.5, to, FixedStep{.step = 0.5}).K == 0);
+  BOOST_TEST(attempt(scheme, problem, one(), 0.5, to, Halving{.step = 0.5, .smallest = 0.1}).K == 2);
+}
+
+BOOST_AUTO_TEST_CASE(does_not_take_an_infinite_state_for_a_value) {
+  RungeKutta4 scheme;
+  const Explosion problem;
+  Values to;
+  BOOST_TEST(
+      !attempt(scheme, problem, Values{0.0, Eigen::VectorXd::Constant(1, 1e200)}, 0.5, to, FixedStep{.step = 0.5})
+           .evaluated);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(rounding_of_time_)
+
+BOOST_AUTO_TEST_CASE(grows_with_the_steps_and_with_the_larger_time) {
+  constexpr double eps = std::numeric_limits<double>::epsilon();
+  BOOST_TEST(rounding_of_time(0, 0.0, 2.0) == 2.0 * eps);
+  BOOST_TEST(rounding_of_time(9, -8.0, 2.0) == 80.0 * eps);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(step_towards_end_)
+
+BOOST_AUTO_TEST_CASE(is_the_wished_step_while_more_is_left) {
+  BOOST_TEST(step_towards_end(0.25, 1.0, 0.0) == 0.25);
+  BOOST_TEST(step_towards_end(0.25, 0.2500001, 0.0) == 0.25);
+}
+
+BOOST_AUTO_TEST_CASE(is_what_is_left_at_the_end) {
+  BOOST_TEST(step_towards_end(0.25, 0.25, 0.0) == 0.25);
+  BOOST_TEST(step_towards_end(0.25, 0.1, 0.0) == 0.1);
+}
+
+BOOST_AUTO_TEST_CASE(takes_a_remainder_within_rounding_with_it) {
+  BOOST_TEST(step_towards_end(0.25, 0.25 + 1e-10, 0.0) == 0.25 + 1e-10);
+  BOOST_TEST(step_towards_end(0.25, 0.25 + 1e-6, 1e-5) == 0.25 + 1e-6);
+}
+
+BOOST_AUTO_TEST_CASE(is_never_stretched_by_more_than_a_thousandth) {
+  BOOST_TEST(step_towards_end(0.25, 0.2503, 1.0) == 0.25);
+  BOOST_TEST(step_towards_end(0.25, 0.2502, 1.0) == 0.2502);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(too_small_)
+
+BOOST_AUTO_TEST_CASE(names_the_time_the_step_and_what_to_do) {
+  const std::string reason = particulate::schemes::too_small(1e16, 0.5);
+  BOOST_TEST(reason.find("t = 1e+16 s and Dt = 0.5 s") != std::string::npos);
+  BOOST_TEST(reason.find("choose a larger step") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(integrate_)
+
+BOOST_AUTO_TEST_CASE(counts_what_it_does_and_lands_on_the_end) {
+  Motion state = displaced();
+  const Spring problem;
+  RungeKutta4 scheme;
+  FixedStep control{.step = 0.3};
+  const Outcome outcome = integrate(problem, state, 1.0, scheme, control);
+  BOOST_TEST((outcome.status == Status::reached));
+  BOOST_TEST(outcome.reason.empty());
+  BOOST_TEST(outcome.steps == 4);
+  BOOST_TEST(outcome.evaluations == 16);
+  BOOST_TEST(outcome.rejections + outcome.sweeps + outcome.impacts == 0);
+  BOOST_TEST(outcome.t == 1.0);
+  BOOST_TEST(state.t == 1.0);
+  BOOST_TEST(control.step == 0.3);
+  BOOST_TEST(state.r[0] == std::cos(1.0), tolerance(1e-3));
+}
+
+// Rounding of the time once made 9974 steps of pi/9973.
+BOOST_AUTO_TEST_CASE(makes_n_steps_of_the_nth_part) {
+  const Limited problem{infinity};
+  for (const double start : {0.0, 100.0}) {
+    for (const double length : {1.0, 0.3, std::numbers::pi, 7.1}) {
+      for (const int n : {1, 3, 7, 10, 49, 1000, 3001, 9973, 30011}) {
+        Values state = one(start);
+        Sweeping scheme;
+        FixedStep control{.step = length / n};
+        const Outcome outcome = integrate(problem, state, start + length, scheme, control);
+        BOOST_TEST_CONTEXT(n << " steps over " << length << " s from " << start) { BOOST_TEST(outcome.steps == n); }
+        BOOST_TEST(state.t == start + length);
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(shows_the_observer_consecutive_states) {
+  Motion state = displaced();
+  const Spring problem;
+  VelocityVerlet scheme;
+  FixedStep control{.step = 0.3};
+  Motion last = state;
+  std::vector<double> steps;
+  const auto observe = [&](const Motion& from, const Motion& to, double dt, const VelocityVerlet&) {
+    BOOST_TEST(from.t == last.t);
+    BOOST_TEST(from.r[0] == last.r[0]);
+    BOOST_TEST(to.t == from.t + dt, tolerance(1e-15));
+    last = to;
+    steps.push_back(dt);
+    return true;
+  };
+  BOOST_TEST(integrate(problem, state, 1.0, scheme, control, observe).steps == 4);
+  BOOST_REQUIRE(steps.size() == 4U);
+  BOOST_TEST(steps[0] == 0.3);
+  BOOST_TEST(steps[3] == 0.1, tolerance(1e-14));
+  BOOST_TEST(last.t == 1.0);
+  BOOST_TEST(last.r[0] == state.r[0]);
+}
+
+BOOST_AUTO_TEST_CASE(stops_where_the_observer_says_so) {
+  Motion state = displaced();
+  const Spring problem;
+  VelocityVerlet scheme;
+  FixedStep control{.step = 0.25};
+  const auto observe = [](const Motion&, const Motion& to, double, const VelocityVerlet&) { return to.t < 0.5; };
+  const Outcome outcome = integrate(problem, state, 2.0, scheme, control, observe);
+  BOOST_TEST((outcome.status == Status::stopped));
+  BOOST_TEST(outcome.reason == "the observer asked for it");
+  BOOST_TEST(outcome.steps == 2);
+  BOOST_TEST(outcome.t == 0.5);
+  BOOST_TEST(state.t == 0.5);
+}
+
+BOOST_AUTO_TEST_CASE(fails_where_the_problem_has_no_value_and_leaves_the_last_state) {
+  Values state = one();
+  const Limited problem{0.6};
+  RungeKutta4 scheme;
+  FixedStep control{.step = 0.25};
+  const Outcome outcome = integrate(problem, state, 2.0, scheme, control);
+  BOOST_TEST((outcome.status == Status::failed));
+  BOOST_TEST(outcome.reason.find("no finite value within this step of 0.25 s") != std::string::npos);
+  BOOST_TEST(outcome.steps == 2);
+  BOOST_TEST(outcome.t == 0.5);
+  BOOST_TEST(state.t == 0.5);
+  BOOST_TEST(state.y[0] == 1.5);
+}
+
+BOOST_AUTO_TEST_CASE(refuses_a_state_that_overflows) {
+  Values state = one();
+  const Explosion problem;
+  RungeKutta4 scheme;
+  FixedStep control{.step = 0.5};
+  const Outcome outcome = integrate(problem, state, 100.0, scheme, control);
+  BOOST_TEST((outcome.status == Status::failed));
+  BOOST_TEST(outcome.reason.find("no finite value") != std::string::npos);
+  BOOST_TEST(state.t < 100.0);
+  BOOST_TEST(outcome.t == state.t);
+  BOOST_TEST(is_finite(state));
+}
+
+BOOST_AUTO_TEST_CASE(tries_again_with_what_the_controller_makes_of_a_refusal) {
+  Values state = one();
+  const Limited problem{0.8};
+  RungeKutta4 scheme;
+  Halving control{.step = 0.5, .smallest = 0.1};
+  const Outcome outcome = integrate(problem, state, 1.0, scheme, control);
+  BOOST_TEST((outcome.status == Status::failed));
+  BOOST_TEST(outcome.reason == "no smaller step is left");
+  BOOST_TEST(outcome.steps == 2);
+  BOOST_TEST(outcome.rejections == 2);
+  BOOST_TEST(outcome.t == 0.75);
+  BOOST_TEST(state.y[0] == 1.75);
+  const std::vector<double> tried{0.5, 0.5, 0.25, 0.25, 0.125};
+  BOOST_TEST(control.tried == tried, boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(counts_sweeps_and_the_largest_contraction) {
+  Values state = one();
+  const Limited problem{1.0};
+  Sweeping scheme;
+  Halving control{.step = 0.5, .smallest = 0.1};
+  const Outcome outcome = integrate(problem, state, 1.0, scheme, control);
+  BOOST_TEST(outcome.steps == 2);
+  BOOST_TEST(outcome.sweeps == 6);
+  BOOST_TEST(outcome.evaluations == 8);
+  BOOST_TEST(outcome.contraction == 0.5);
+}
+
+BOOST_AUTO_TEST_CASE(does_nothing_over_no_time) {
+  Values state = one(3.0);
+  const Limited problem{infinity};
+  RungeKutta4 scheme;
+  FixedStep control{.step = 0.5};
+  const Outcome outcome = integrate(problem, state, 3.0, scheme, control);
+  BOOST_TEST((outcome.status == Status::reached));
+  BOOST_TEST(outcome.steps + outcome.evaluations == 0);
+  BOOST_TEST(outcome.t == 3.0);
+  BOOST_TEST(state.y[0] == 1.0);
+}
+
+BOOST_AUTO_TEST_CASE(fails_where_a_step_does_not_change_the_time) {
+  Values state = one(1e16);
+  const Limited problem{infinity};
+  RungeKutta4 scheme;
+  FixedStep control{.step = 0.5};
+  const Outcome outcome = integrate(problem, state, 2e16, scheme, control);
+  BOOST_TEST((outcome.status == Status::failed));
+  BOOST_TEST(outcome.reason.find("the step must change the time") != std::string::npos);
+  BOOST_TEST(outcome.steps == 0);
+  BOOST_TEST(state.t == 1e16);
+}
+
+BOOST_AUTO_TEST_CASE(refuses_what_cannot_be_meant) {
+  const Limited problem{infinity};
+  RungeKutta4 scheme;
+  FixedStep control{.step = 0.5}, none;
+  Values state = one(), bad{0.0, Eigen::VectorXd::Constant(1, not_a_number)};
+  BOOST_CHECK_EXCEPTION((void)integrate(problem, state, -1.0, scheme, control), std::invalid_argument,
+                        says("not before the start at 0 s, got -1 s"));
+  BOOST_CHECK_EXCEPTION((void)integrate(problem, bad, 1.0, scheme, control), std::invalid_argument,
+                        says("values must start finite"));
+  BOOST_CHECK_EXCEPTION((void)integrate(problem, state, 1.0, scheme, none), std::invalid_argument,
+                        says("step must be positive and finite"));
+  BOOST_TEST(state.t == 0.0);
+}
+
+BOOST_AUTO_TEST_CASE(passes_a_callers_mistake_on_with_the_last_state) {
+  struct Throwing {
+    bool rate(double t, In, Out dy) const {
+      dy.setZero();
+      if (t > 0.6) throw std::invalid_argument("thrown by the problem");
+      return true;
+    }
+  } problem;
+  Values state = one();
+  RungeKutta4 scheme;
+  FixedStep control{.step = 0.25};
+  BOOST_CHECK_EXCEPTION((void)integrate(problem, state, 1.0, scheme, control), std::invalid_argument,
+                        says("thrown by the problem"));
+  BOOST_TEST(state.t == 0.5);
+}
+
+// From 1 m at rest with g = 2: r = 1 - t^2, so the floor is met at t = 1 exactly, with v = -2, and again 2 s later.
+BOOST_AUTO_TEST_CASE(lets_the_state_jump_after_a_step_and_tells_the_scheme) {
+  Motion state = displaced();
+  const Bouncing problem{};
+  CountsForgetting scheme;
+  FixedStep control{.step = 0.25};
+  std::vector<double> before;
+  const auto observe = [&](const Motion&, const Motion& to, double, const CountsForgetting&) {
+    before.push_back(to.v[0]);
+    return true;
+  };
+  const Outcome outcome = integrate(problem, state, 4.0, scheme, control, observe);
+  BOOST_TEST((outcome.status == Status::reached));
+  BOOST_TEST(outcome.impacts == 2);
+  BOOST_TEST(scheme.forgotten == 2);
+  BOOST_TEST(scheme.accepted == 16);
+  BOOST_TEST(outcome.evaluations == 19);  // one a step, one at the start, one after each impact
+  BOOST_TEST(before[3] == -2.0);          // observed before the jump
+  BOOST_TEST(state.r[0] == 1.0);
+  BOOST_TEST(state.v[0] == 0.0);
+}
+
+BOOST_AUTO_TEST_CASE(fails_where_a_jump_is_not_settled_and_leaves_the_state_before_the_step) {
+  Motion state = displaced();
+  const Bouncing problem{"the stone sticks"};
+  VelocityVerlet scheme;
+  FixedStep control{.step = 0.25};
+  const Outcome outcome = integrate(problem, state, 4.0, scheme, control);
+  BOOST_TEST((outcome.status == Status::failed));
+  BOOST_TEST(outcome.reason == "the stone sticks");
+  BOOST_TEST(outcome.t == 0.75);
+  BOOST_TEST(state.t == 0.75);
+  BOOST_TEST(state.r[0] == 1.0 - 0.5625);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

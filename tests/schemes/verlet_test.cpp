@@ -1,0 +1,247 @@
+#include <particulate/schemes/verlet.hpp>
+
+#include <cmath>
+
+#include <particulate/schemes/fixed_step.hpp>
+#include <particulate/schemes/integrate.hpp>
+
+#include "close.hpp"
+#include "order.hpp"
+
+using boost::test_tools::tolerance;
+using particulate::schemes::Counted;
+using particulate::schemes::FixedStep;
+using particulate::schemes::In;
+using particulate::schemes::integrate;
+using particulate::schemes::Motion;
+using particulate::schemes::Out;
+using particulate::schemes::Outcome;
+using particulate::schemes::VelocityVerlet;
+using tests::close;
+using tests::observed_order;
+
+namespace {
+
+struct Spring {
+  double stiffness = 1.0;
+  bool acceleration(double, In r, Out a) const {
+    a = -stiffness * r;
+    return true;
+  }
+};
+
+// r_0 = 1/(1 + t) and r_1 = cos t.
+struct Driven {
+  bool acceleration(double t, In r, Out a) const {
+    a[0] = 2.0 * r[0] * r[0] * r[0];
+    a[1] = 3.0 * std::cos(t) - 4.0 * r[1];
+    return true;
+  }
+  static Motion at(double t) {
+    const double s = 1.0 / (1.0 + t);
+    return {t, Eigen::Vector2d(s, std::cos(t)), Eigen::Vector2d(-s * s, -std::sin(t))};
+  }
+};
+
+double error_after(int steps) {
+  const double t_end = 1.7;
+  Motion state = Driven::at(0.0);
+  VelocityVerlet scheme;
+  FixedStep control{.step = t_end / steps};
+  const Driven problem;
+  const Outcome outcome = integrate(problem, state, t_end, scheme, control);
+  BOOST_REQUIRE(outcome.steps == steps);
+  const Motion exact = Driven::at(t_end);
+  return std::hypot((state.r - exact.r).norm(), (state.v - exact.v).norm());
+}
+
+Motion displaced() { return {0.0, Eigen::VectorXd::Ones(1), Eigen::VectorXd::Zero(1)}; }
+
+// One accepted step.
+template <class P>
+Motion stepped(VelocityVerlet& scheme, P& problem, const Motion& from, double dt) {
+  Motion to;
+  BOOST_REQUIRE(scheme.predict(problem, from, dt, to));
+  scheme.accept(dt);
+  return to;
+}
+
+void same_bits(const Motion& a, const Motion& b) {
+  BOOST_TEST(a.t == b.t);
+  BOOST_TEST(close(a.r, b.r, {}));
+  BOOST_TEST(close(a.v, b.v, {}));
+}
+
+// What a scheme without history makes of the step: the same as one with history, unless that is stale.
+template <class P>
+void steps_as_if_new(VelocityVerlet scheme, P& problem, const Motion& from) {
+  VelocityVerlet fresh;
+  same_bits(stepped(scheme, problem, from, 0.25), stepped(fresh, problem, from, 0.25));
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(VelocityVerlet_)
+
+// r'' = -r from (1, 0), Dt = 1/2: r = 1 - 1/8, v = -(1 + 7/8)/4.
+BOOST_AUTO_TEST_CASE(takes_a_step_as_multiplied_out_by_hand) {
+  VelocityVerlet scheme;
+  const Spring problem;
+  const Motion to = stepped(scheme, problem, displaced(), 0.5);
+  BOOST_TEST(to.t == 0.5);
+  BOOST_TEST(to.r[0] == 0.875);
+  BOOST_TEST(to.v[0] == -0.46875);
+}
+
+// r = t^2/2 and r = t^3/6 against r'' = 1 and r'' = t: the second is met by v, not by r.
+BOOST_AUTO_TEST_CASE(is_exact_for_constant_acceleration_only) {
+  struct Ramp {
+    double slope;
+    bool acceleration(double t, In, Out a) const {
+      a[0] = slope == 0.0 ? 1.0 : slope * t;
+      return true;
+    }
+  };
+  VelocityVerlet scheme;
+  const Motion rest{0.0, Eigen::VectorXd::Zero(1), Eigen::VectorXd::Zero(1)};
+  const Ramp constant{0.0}, ramp{1.0};
+  BOOST_TEST(stepped(scheme, constant, rest, 3.0).r[0] == 4.5);
+  scheme.forget();
+  const Motion to = stepped(scheme, ramp, rest, 2.0);
+  BOOST_TEST(to.v[0] == 2.0);
+  BOOST_TEST(to.r[0] == 0.0);
+}
+
+BOOST_AUTO_TEST_CASE(has_order_two) {
+  BOOST_TEST(std::abs(observed_order(error_after, {40, 60, 90, 135, 200, 300}) - 2.0) <= 0.2);
+}
+
+BOOST_AUTO_TEST_CASE(retraces_its_steps_when_velocities_are_turned) {
+  struct Autonomous {
+    bool acceleration(double, In r, Out a) const {
+      a = -(r.array() * (1.0 + r.array().square())).matrix();
+      return true;
+    }
+  } anharmonic;
+  const Motion start = Driven::at(0.3);
+  Motion state = start;
+  state.t = 0.0;
+  VelocityVerlet scheme;
+  FixedStep control{.step = 0.125};
+  BOOST_TEST(integrate(anharmonic, state, 5.0, scheme, control).steps == 40);
+  BOOST_TEST((state.r - start.r).norm() > 0.1);
+  state.v = -state.v;
+  BOOST_TEST(integrate(anharmonic, state, 10.0, scheme, control).steps == 40);
+  BOOST_TEST(close(state.r, start.r, {.absolute = 1e-13}));
+  BOOST_TEST(close(state.v, -start.v, {.absolute = 1e-13}));
+}
+
+// Dt^2/4 of the energy comes and goes, none is lost: v^2 + r^2 (1 - Dt^2/4) is kept exactly.
+BOOST_AUTO_TEST_CASE(keeps_the_energy_of_its_own_oscillator) {
+  const Spring problem;
+  Motion state = displaced();
+  VelocityVerlet scheme;
+  FixedStep control{.step = 0.5};
+  const double kept = 1.0 - 0.0625;
+  for (int k = 1; k <= 100; ++k) {
+    BOOST_REQUIRE(integrate(problem, state, 5.0 * k, scheme, control).steps == 10);
+    BOOST_TEST(state.v[0] * state.v[0] + kept * state.r[0] * state.r[0] == kept, tolerance(1e-12));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(is_stable_on_an_oscillator_up_to_its_limit_only) {
+  const Spring problem;
+  for (const double factor : {0.99, 1.01}) {
+    Motion state = displaced();
+    VelocityVerlet scheme;
+    FixedStep control{.step = factor * 2.0};
+    BOOST_TEST(integrate(problem, state, 200.0 * control.step, scheme, control).steps == 200);
+    BOOST_TEST((std::abs(state.r[0]) < 2.0) == (factor < 1.0));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(asks_once_a_step_and_once_more_at_the_start) {
+  const Spring problem;
+  Motion state = displaced();
+  VelocityVerlet scheme;
+  FixedStep control{.step = 0.125};
+  BOOST_TEST(integrate(problem, state, 2.0, scheme, control).evaluations == 17);
+  BOOST_TEST(integrate(problem, state, 4.0, scheme, control).evaluations == 16);
+  scheme.forget();
+  BOOST_TEST(integrate(problem, state, 6.0, scheme, control).evaluations == 17);
+}
+
+BOOST_AUTO_TEST_CASE(uses_no_stale_acceleration_where_positions_or_time_were_changed) {
+  const Driven problem;
+  VelocityVerlet scheme;
+  const Motion kept = stepped(scheme, problem, Driven::at(0.0), 0.25);
+  steps_as_if_new(scheme, problem, kept);
+  Motion moved = kept;
+  moved.r[0] = 3.0;
+  steps_as_if_new(scheme, problem, moved);
+  Motion later = kept;
+  later.t += 1.0;
+  steps_as_if_new(scheme, problem, later);
+  Motion faster = kept;
+  faster.v *= 2.0;
+  steps_as_if_new(scheme, problem, faster);
+  const Spring other;
+  const Motion longer{kept.t, Eigen::VectorXd::Ones(7), Eigen::VectorXd::Zero(7)};
+  steps_as_if_new(scheme, other, longer);
+}
+
+BOOST_AUTO_TEST_CASE(forgets_a_problem_that_was_changed) {
+  Spring problem;
+  VelocityVerlet scheme;
+  const Motion kept = stepped(scheme, problem, displaced(), 0.25);
+  problem.stiffness = 4.0;
+  scheme.forget();
+  steps_as_if_new(scheme, problem, kept);
+}
+
+BOOST_AUTO_TEST_CASE(tries_a_refused_step_again_from_the_same_acceleration) {
+  const Spring spring;
+  Counted<const Spring> counted{spring};
+  VelocityVerlet scheme;
+  const Motion kept = stepped(scheme, counted, displaced(), 0.25);
+  Motion refused;
+  BOOST_TEST(scheme.predict(counted, kept, 0.5, refused));
+  BOOST_TEST(counted.evaluations == 3);
+  const Motion again = stepped(scheme, counted, kept, 0.25);
+  BOOST_TEST(counted.evaluations == 4);
+  VelocityVerlet fresh;
+  same_bits(again, stepped(fresh, spring, kept, 0.25));
+}
+
+BOOST_AUTO_TEST_CASE(says_that_there_is_no_value_at_either_end) {
+  struct Failing {
+    int n;
+    bool acceleration(double, In r, Out a) {
+      a = -r;
+      return --n > 0;
+    }
+  };
+  for (int n = 1; n <= 3; ++n) {
+    Failing problem{n};
+    VelocityVerlet scheme;
+    Motion to;
+    BOOST_TEST(scheme.predict(problem, displaced(), 0.1, to) == (n == 3));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(continues_from_a_copy_to_the_same_bits) {
+  const Driven problem;
+  Motion whole = Driven::at(0.0), state = whole;
+  VelocityVerlet scheme, other;
+  FixedStep control{.step = 0.125};
+  BOOST_TEST(integrate(problem, whole, 2.0, other, control).steps == 16);
+  BOOST_TEST(integrate(problem, state, 1.0, scheme, control).steps == 8);
+  Motion checkpoint = state;
+  VelocityVerlet copied = scheme;
+  BOOST_TEST(integrate(problem, state, 2.0, scheme, control).evaluations == 8);
+  BOOST_TEST(integrate(problem, checkpoint, 2.0, copied, control).evaluations == 8);
+  same_bits(checkpoint, state);
+  same_bits(whole, state);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
