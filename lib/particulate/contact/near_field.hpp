@@ -1,0 +1,123 @@
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+#include <particulate/contact/law.hpp>
+#include <particulate/kinematics/central_force.hpp>
+
+namespace particulate::contact {
+
+/// What a near field's strengths are counted per.
+enum class Scaling {
+  mass,  ///< \f$ \alpha_{ij} = \alpha\, m_i m_j \f$: the remark below (2.3)
+  area,  ///< \f$ \alpha_{ij} = \alpha\, a_i a_j \f$ with the surface \f$ a_i = 4\pi b_i^2 \f$: its footnote
+  pair   ///< \f$ \alpha_{ij} = \alpha \f$: the same for every pair
+};
+
+/// The monograph's near field: every particle attracts and repels every other along the line of centres.
+///
+/// \f[ \Psi_i^{nf} = \sum_{j \ne i} \left(\alpha_{1ij}\, d^{-\beta_1} - \alpha_{2ij}\, d^{-\beta_2}\right) n_{ij},
+///     \qquad d = \|r_i - r_j\|, \quad n_{ij} = \frac{r_j - r_i}{d} \f]
+///
+/// @equation{M 2.3} By default strengths are per unit mass squared.
+struct NearField {
+  double alpha1 = 0.0;              ///< attraction, >= 0 [N m^beta1 / kg^2]
+  double alpha2 = 0.0;              ///< repulsion, >= 0 [N m^beta2 / kg^2]
+  double beta1 = 1.0;               ///< exponent of attraction, >= 0 [-]
+  double beta2 = 2.0;               ///< exponent of repulsion, >= 0 [-]
+  double d_ref = 1.0;               ///< distance at which a pair's potential energy is zero, > 0 [m]
+  Scaling scaling = Scaling::mass;  ///< what the strengths are counted per; units of the strengths follow it
+};
+
+/// Refuses constants that are no near field. Called once, where a law enters a scene.
+///
+/// @param law  the constants
+/// @throws std::invalid_argument naming the constant, what must hold and what was given
+void validate(const NearField& law);
+
+/// The force law between two particles, with their masses or areas in its strengths.
+///
+/// @equation{M 2.3}
+/// @param law       the near field
+/// @param charge_i  what scales particle i: m_i [kg], 4 pi b_i^2 [m^2] or 1, as law.scaling says
+/// @param charge_j  the same of particle j
+/// @return constants of the pair
+kinematics::CentralForce pair_law(const NearField& law, double charge_i, double charge_j);
+
+/// What scales each particle's near field.
+///
+/// @param law  the near field
+/// @param at   the particles
+/// @return m_i, 4 pi b_i^2 or 1, N entries
+Eigen::VectorXd charges(const NearField& law, const Places& at);
+
+/// Whether a squared distance is held to full precision: not below the smallest normal number, and not infinite.
+///
+/// @param square  squared distance [m^2]
+/// @return true for distances from 1.5e-154 to 1.3e154 m
+inline bool is_full(double square) {
+  return square >= std::numeric_limits<double>::min() && square <= std::numeric_limits<double>::max();
+}
+
+/// Adds the near-field forces over all pairs in unbounded space.
+///
+/// @equation{M 2.3} One pass over the pairs j > i with both forces from one evaluation, so that the total force
+/// vanishes to rounding. Runs of particles are processed component by component in vector registers; whole-number
+/// exponents up to 64 are formed by multiplication, others by std::pow. Cost N (N - 1)/2 pairs.
+/// @param law    constants that validate() accepts
+/// @param at     the particles
+/// @param force  receives the forces, added to what it holds [N]
+/// @return false where two particles coincide, their squared distance is none (is_full()) or a force is too large for a
+///         double; the forces are then meaningless
+bool add_force(const NearField& law, const kinematics::Open&, const Places& at, Forces force);
+
+/// Adds the near-field forces over all pairs in any domain, pair by pair.
+///
+/// @equation{M 2.3}
+/// @param law     constants that validate() accepts
+/// @param domain  forms the separations
+/// @param at      the particles
+/// @param force   receives the forces, added to what it holds [N]
+/// @return false where two particles coincide, their squared distance is none (is_full()) or a force is too large for a
+///         double; the forces are then meaningless
+template <kinematics::Domain D>
+bool add_force(const NearField& law, const D& domain, const Places& at, Forces force) {
+  const Eigen::VectorXd charge = charges(law, at);
+  for (Eigen::Index i = 0; i < at.mass.size(); ++i) {
+    for (Eigen::Index j = i + 1; j < at.mass.size(); ++j) {
+      const Eigen::Vector3d towards = separation(domain, at.position.row(i), at.position.row(j));
+      const double square = towards.squaredNorm();
+      if (!is_full(square)) return false;
+      const double d = std::sqrt(square);
+      const double over_d = strength(pair_law(law, charge[i], charge[j]), d) / d;
+      force.row(i) += over_d * towards.transpose();
+      force.row(j) -= over_d * towards.transpose();
+    }
+  }
+  return force.allFinite();
+}
+
+/// Potential energy of the near field over all pairs.
+///
+/// \f[ V = \sum_{i<j} \big(V_{ij}(d) - V_{ij}(d_{ref})\big), \qquad \Psi_i^{nf} = -\nabla_i V \f]
+///
+/// @equation{D 2.3}
+/// @param law     constants that validate() accepts
+/// @param domain  forms the separations
+/// @param at      the particles
+/// @return energy, infinite or NaN where two particles coincide [J]
+template <kinematics::Domain D>
+double potential_energy(const NearField& law, const D& domain, const Places& at) {
+  const Eigen::VectorXd charge = charges(law, at);
+  double sum = 0.0;
+  for (Eigen::Index i = 0; i < at.mass.size(); ++i) {
+    for (Eigen::Index j = i + 1; j < at.mass.size(); ++j) {
+      const double d = separation(domain, at.position.row(i), at.position.row(j)).stableNorm();
+      sum += potential(pair_law(law, charge[i], charge[j]), d, law.d_ref);
+    }
+  }
+  return sum;
+}
+
+}  // namespace particulate::contact

@@ -1,0 +1,147 @@
+#pragma once
+
+#include <stdexcept>
+#include <tuple>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include <particulate/contact/law.hpp>
+#include <particulate/kinematics/domain.hpp>
+#include <particulate/kinematics/particles.hpp>
+#include <particulate/schemes/problem.hpp>
+
+namespace particulate::scenes {
+
+namespace detail {
+
+// Outside the scene, whose own member of that name would hide what stands beside the law.
+template <class L, class D>
+double energy_of(const L& law, const D& domain, const contact::Places& at) {
+  return potential_energy(law, domain, at);
+}
+
+// A vector of another length would be read beyond its end.
+inline void require_length(Eigen::Index given, Eigen::Index N) {
+  if (given != 3 * N) {
+    throw std::invalid_argument(
+        fmt::format("scene: vectors of {} particles must hold {} numbers, got {}", N, 3 * N, given));
+  }
+}
+
+}  // namespace detail
+
+/// The problem that a set of particles, a domain and a pack of laws pose.
+///
+/// \f[ m_i \ddot r_i = \Psi_i^{tot}(r_1, \dots, r_{N_p}) \f]
+///
+/// @equation{M 2.1} Composed at compile time: absent laws leave no code, no loops and no arrays. If a law asks for
+/// velocities the scene is a MotionProblem, else a PositionProblem. A law that the scene does not understand does not
+/// compile. A state of another length than 3 N is a caller's mistake and throws std::invalid_argument.
+template <kinematics::Domain D, class... Laws>
+class Scene {
+  static_assert(((contact::PositionForce<Laws, D> || contact::MotionForce<Laws, D>)&&...),
+                "a law of this scene has no add_force(law, domain, places, forces) for this domain");
+
+ public:
+  /// Checks particles and laws once, where they enter.
+  ///
+  /// @param particles  the start, and what stays with each particle
+  /// @param domain     forms the separations
+  /// @param laws       the laws, in the order in which their forces are added
+  /// @throws std::invalid_argument from the first part that refuses itself
+  Scene(kinematics::Particles particles, D domain, Laws... laws)
+      : particles_(std::move(particles)), domain_(std::move(domain)), laws_(std::move(laws)...) {
+    validate(particles_);
+    std::apply([](const auto&... law) { (check(law), ...); }, laws_);
+  }
+
+  /// Whether a law asks for velocities.
+  static constexpr bool needs_velocity = (contact::MotionForce<Laws, D> || ...);
+
+  /// @return the start, and what stays with each particle
+  const kinematics::Particles& particles() const { return particles_; }
+  /// @return the domain
+  const D& domain() const { return domain_; }
+
+  /// Accelerations at given positions, if they have a finite value there. @see schemes::PositionProblem
+  bool acceleration(double t, schemes::In r, schemes::Out a) const requires(!needs_velocity) {
+    return force(places(t, r), a) && divide_by_mass(a);
+  }
+  /// Accelerations at given positions and velocities, if they have a finite value there. @see schemes::MotionProblem
+  bool acceleration(double t, schemes::In r, schemes::In v, schemes::Out a) const requires needs_velocity {
+    return force(moving(t, r, v), a) && divide_by_mass(a);
+  }
+
+  /// Total force on every particle, \f$ \Psi_i^{tot} \f$.
+  ///
+  /// @param state  a state of this scene
+  /// @param f      receives the forces, 3 N numbers, column by column [N]
+  /// @return whether they have a value there
+  bool total_force(const schemes::Motion& state, schemes::Out f) const {
+    if constexpr (needs_velocity) {
+      return force(moving(state.t, state.r, state.v), f);
+    } else {
+      return force(places(state.t, state.r), f);
+    }
+  }
+
+  /// Potential energy of all laws; a scene with a law that has none does not offer it.
+  ///
+  /// @param state  a state of this scene
+  /// @return energy [J]
+  double potential_energy(const schemes::Motion& state) const requires(contact::Conservative<Laws, D>&&...) {
+    const contact::Places at = places(state.t, state.r);
+    return std::apply([&](const auto&... law) { return (0.0 + ... + detail::energy_of(law, domain_, at)); }, laws_);
+  }
+
+  /// The monograph's measure, the sum over particles of \f$ \|x_i - y_i\| \f$. @see schemes::Measures
+  ///
+  /// @param x  one set of positions, 3 N numbers
+  /// @param y  another
+  /// @return their distance [m]
+  double distance(schemes::In x, schemes::In y) const { return (shaped(x) - shaped(y)).rowwise().norm().sum(); }
+
+ private:
+  using Shaped = Eigen::Map<const kinematics::Vectors>;
+
+  template <class L>
+  static void check(const L& law) {
+    if constexpr (contact::Validated<L>) validate(law);
+  }
+  Shaped shaped(schemes::In x) const {
+    detail::require_length(x.size(), particles_.size());
+    return {x.data(), particles_.size(), 3};
+  }
+  contact::Places places(double t, schemes::In r) const {
+    return {.t = t, .position = shaped(r), .mass = particles_.mass, .radius = particles_.radius};
+  }
+  contact::Moving moving(double t, schemes::In r, schemes::In v) const { return {places(t, r), shaped(v)}; }
+
+  template <class Here>
+  bool force(const Here& at, schemes::Out f) const {
+    detail::require_length(f.size(), particles_.size());
+    f.setZero();
+    const contact::Forces sum(f.data(), particles_.size(), 3);
+    return std::apply([&](const auto&... law) { return (add_force(law, domain_, at, sum) && ...); }, laws_);
+  }
+  bool divide_by_mass(schemes::Out a) const {
+    contact::Forces(a.data(), particles_.size(), 3).array().colwise() /= particles_.mass.array();
+    return a.allFinite();
+  }
+
+  kinematics::Particles particles_;
+  D domain_;
+  std::tuple<Laws...> laws_;
+};
+
+/// Where a scene starts.
+///
+/// @param scene  the scene
+/// @return its particles' positions and velocities at t = 0
+template <kinematics::Domain D, class... Laws>
+schemes::Motion start(const Scene<D, Laws...>& scene) {
+  return {.t = 0.0, .r = scene.particles().position.reshaped(), .v = scene.particles().velocity.reshaped()};
+}
+
+}  // namespace particulate::scenes

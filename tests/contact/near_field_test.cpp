@@ -1,0 +1,428 @@
+#include <particulate/contact/near_field.hpp>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <random>
+#include <stdexcept>
+#include <vector>
+
+#include <particulate/kinematics/momentum.hpp>
+
+#include "close.hpp"
+
+using boost::test_tools::tolerance;
+using particulate::contact::charges;
+using particulate::contact::Forces;
+using particulate::contact::is_full;
+using particulate::contact::NearField;
+using particulate::contact::pair_law;
+using particulate::contact::Places;
+using particulate::contact::Scaling;
+using particulate::contact::validate;
+using particulate::kinematics::CentralForce;
+using particulate::kinematics::moment;
+using particulate::kinematics::Open;
+using particulate::kinematics::Vectors;
+using tests::close;
+using tests::says;
+
+namespace {
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double eps = std::numeric_limits<double>::epsilon();
+constexpr double pi = std::numbers::pi;
+
+struct Cloud {
+  Vectors position;
+  Eigen::VectorXd mass, radius;
+
+  Places places() const {
+    return {.t = 0.0,
+            .position = Eigen::Map<const Vectors>(position.data(), position.rows(), 3),
+            .mass = mass,
+            .radius = radius};
+  }
+};
+
+// Numbers in [0, 1) from bits, the same everywhere.
+class Uniform {
+ public:
+  double operator()() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
+
+ private:
+  std::mt19937_64 engine_{20070101};
+};
+
+// N particles in a box of unit side, masses and radii of order one.
+Cloud cloud_of(Eigen::Index N) {
+  Uniform uniform;
+  Cloud cloud{Vectors(N, 3), Eigen::VectorXd(N), Eigen::VectorXd(N)};
+  for (Eigen::Index i = 0; i < N; ++i) {
+    for (Eigen::Index c = 0; c < 3; ++c) cloud.position(i, c) = uniform();
+    cloud.mass[i] = 0.5 + uniform();
+    cloud.radius[i] = 0.2 + 0.3 * uniform();
+  }
+  return cloud;
+}
+
+// A pair on the x axis with masses 2 and 3 and equal radii of 1/2.
+Cloud pair_at(double distance) {
+  Vectors position = Vectors::Zero(2, 3);
+  position(1, 0) = distance;
+  return {position, Eigen::Vector2d(2.0, 3.0), Eigen::Vector2d(0.5, 0.5)};
+}
+
+struct Added {
+  Vectors force;
+  bool has_value;
+};
+
+template <class D>
+Added forces(const NearField& law, const D& domain, const Cloud& cloud) {
+  Vectors force = Vectors::Zero(cloud.position.rows(), 3);
+  const bool has_value = add_force(law, domain, cloud.places(), Forces(force.data(), force.rows(), 3));
+  return {force, has_value};
+}
+
+long double charge(const NearField& law, const Cloud& cloud, Eigen::Index i) {
+  switch (law.scaling) {
+    case Scaling::mass:
+      return cloud.mass[i];
+    case Scaling::area:
+      return 4.0L * std::numbers::pi_v<long double> * cloud.radius[i] * cloud.radius[i];
+    case Scaling::pair:
+      break;
+  }
+  return 1.0L;
+}
+
+struct Plain {
+  Vectors force;          // the sums
+  Eigen::VectorXd terms;  // and those of the sizes of their terms
+};
+
+// The formula as it is printed: every ordered pair for itself, in extended precision, with std::pow.
+Plain plain_double_loop(const NearField& law, const Cloud& cloud) {
+  const Eigen::Index N = cloud.position.rows();
+  Plain plain{Vectors(N, 3), Eigen::VectorXd(N)};
+  for (Eigen::Index i = 0; i < N; ++i) {
+    std::array<long double, 3> sum{};
+    long double terms = 0.0L;
+    for (Eigen::Index j = 0; j < N; ++j) {
+      if (j == i) continue;
+      std::array<long double, 3> n{};
+      long double square = 0.0L;
+      for (int c = 0; c < 3; ++c) {
+        const auto k = static_cast<std::size_t>(c);
+        n[k] = static_cast<long double>(cloud.position(j, c)) - cloud.position(i, c);
+        square += n[k] * n[k];
+      }
+      const long double d = std::sqrt(square), both = charge(law, cloud, i) * charge(law, cloud, j);
+      const long double attraction = both * law.alpha1 * std::pow(d, -static_cast<long double>(law.beta1));
+      const long double repulsion = both * law.alpha2 * std::pow(d, -static_cast<long double>(law.beta2));
+      for (std::size_t k = 0; k < 3; ++k) sum[k] += (attraction - repulsion) * n[k] / d;
+      terms += attraction + repulsion;
+    }
+    for (int c = 0; c < 3; ++c) plain.force(i, c) = static_cast<double>(sum[static_cast<std::size_t>(c)]);
+    plain.terms[i] = static_cast<double>(terms);
+  }
+  return plain;
+}
+
+// The reciprocal distance is good to 2.25 eps, each factor of a power costs that and half an eps more; 6 eps are left
+// for the products, the difference of places and the sum.
+double bound(const NearField& law) { return (2.75 * std::max(law.beta1, law.beta2) + 6.0) * eps; }
+
+void agrees_with_the_plain_loop(const NearField& law, const Cloud& cloud, const Added& added) {
+  const Plain plain = plain_double_loop(law, cloud);
+  BOOST_TEST(added.has_value);
+  for (Eigen::Index i = 0; i < cloud.position.rows(); ++i) {
+    const double error = (added.force.row(i) - plain.force.row(i)).norm();
+    BOOST_TEST_CONTEXT("particle " << i << " of " << cloud.position.rows() << ", beta = (" << law.beta1 << ", "
+                                   << law.beta2 << ")") {
+      BOOST_TEST(error <= bound(law) * plain.terms[i]);
+    }
+  }
+}
+
+const std::vector<std::array<double, 2>> exponents{{0.0, 1.0},  {1.0, 2.0}, {2.0, 3.0},   {3.0, 2.0},
+                                                   {7.0, 13.0}, {0.5, 1.3}, {64.0, 65.0}, {1.0, 63.5}};
+
+NearField with_exponents(const std::array<double, 2>& beta) {
+  return {.alpha1 = 0.7, .alpha2 = 0.3, .beta1 = beta[0], .beta2 = beta[1]};
+}
+
+// Unbounded space once more, as a type that the kernel does not know, and which counts what it is asked.
+struct Asked {
+  long* times;
+};
+Eigen::Vector3d separation(const Asked& domain, const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+  ++*domain.times;
+  return to - from;
+}
+
+// A world whose distances are twice ours.
+struct Doubled {};
+Eigen::Vector3d separation(const Doubled&, const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+  return 2.0 * (to - from);
+}
+
+const NearField monograph{.alpha1 = 1.0, .alpha2 = 0.5, .beta1 = 1.0, .beta2 = 2.0};
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(validate_)
+
+BOOST_AUTO_TEST_CASE(accepts_the_defaults) { BOOST_CHECK_NO_THROW(validate(NearField{})); }
+
+BOOST_AUTO_TEST_CASE(names_the_constant_what_must_hold_and_what_was_given) {
+  BOOST_CHECK_EXCEPTION(validate(NearField{.alpha1 = -1.0}), std::invalid_argument,
+                        says("alpha1 must be finite and not negative, got -1"));
+  BOOST_CHECK_EXCEPTION(validate(NearField{.alpha2 = infinity}), std::invalid_argument,
+                        says("alpha2 must be finite and not negative, got inf"));
+  BOOST_CHECK_EXCEPTION(validate(NearField{.beta1 = not_a_number}), std::invalid_argument,
+                        says("beta1 must be finite and not negative, got nan"));
+  BOOST_CHECK_EXCEPTION(validate(NearField{.beta2 = -2.0}), std::invalid_argument,
+                        says("beta2 must be finite and not negative, got -2"));
+  for (const double bad : {0.0, -1.0, infinity, not_a_number}) {
+    BOOST_CHECK_EXCEPTION(validate(NearField{.d_ref = bad}), std::invalid_argument,
+                          says("d_ref must be positive and finite, got"));
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(pair_law_)
+
+BOOST_AUTO_TEST_CASE(multiplies_both_strengths_by_both_charges) {
+  const CentralForce law = pair_law({.alpha1 = 0.5, .alpha2 = 0.25, .beta1 = 3.0, .beta2 = 5.0}, 2.0, 8.0);
+  BOOST_TEST(law.alpha1 == 8.0);
+  BOOST_TEST(law.alpha2 == 4.0);
+  BOOST_TEST(law.beta1 == 3.0);
+  BOOST_TEST(law.beta2 == 5.0);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(charges_)
+
+// 4 pi (1/2)^2 = pi.
+BOOST_AUTO_TEST_CASE(are_masses_surfaces_or_one) {
+  const Cloud pair = pair_at(1.0);
+  BOOST_TEST(close(charges({.scaling = Scaling::mass}, pair.places()), Eigen::Vector2d(2.0, 3.0), {}));
+  BOOST_TEST(close(charges({.scaling = Scaling::area}, pair.places()), Eigen::Vector2d(pi, pi), {.relative = eps}));
+  BOOST_TEST(close(charges({.scaling = Scaling::pair}, pair.places()), Eigen::Vector2d(1.0, 1.0), {}));
+}
+
+BOOST_AUTO_TEST_CASE(refuse_a_scaling_that_is_none) {
+  BOOST_CHECK_EXCEPTION(charges({.scaling = static_cast<Scaling>(7)}, pair_at(1.0).places()), std::invalid_argument,
+                        says("scaling must be mass, area or pair"));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(is_full_)
+
+BOOST_AUTO_TEST_CASE(holds_for_normal_finite_numbers_only) {
+  BOOST_TEST(is_full(1.0));
+  BOOST_TEST(is_full(1e-307));
+  BOOST_TEST(is_full(1e308));
+  for (const double bad : {0.0, 1e-308, infinity, not_a_number}) BOOST_TEST(!is_full(bad));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(add_force_)
+
+// C(2) = 1/2 - 0.5/4 = 3/8, times 2 3 for masses, pi^2 for surfaces, 1 for pairs; towards each other.
+BOOST_AUTO_TEST_CASE(pulls_a_pair_as_multiplied_out_by_hand) {
+  const Eigen::RowVector3d along(0.375, 0.0, 0.0);
+  const auto pulls = [&](Scaling scaling, double factor) {
+    NearField law = monograph;
+    law.scaling = scaling;
+    Vectors expected(2, 3);
+    expected << factor * along, -factor * along;
+    const Added added = forces(law, Open{}, pair_at(2.0));
+    BOOST_TEST(added.has_value);
+    BOOST_TEST(close(added.force, expected, {.relative = 4.0 * eps}));
+  };
+  pulls(Scaling::mass, 6.0);
+  pulls(Scaling::area, pi * pi);
+  pulls(Scaling::pair, 1.0);
+}
+
+BOOST_AUTO_TEST_CASE(adds_to_what_the_forces_hold) {
+  const Cloud pair = pair_at(2.0);
+  Vectors force{{1.0, 2.0, 3.0}, {4.0, 5.0, 6.0}};
+  BOOST_TEST(add_force(monograph, Open{}, pair.places(), Forces(force.data(), 2, 3)));
+  BOOST_TEST(close(force, Vectors{{3.25, 2.0, 3.0}, {1.75, 5.0, 6.0}}, {}));
+  BOOST_TEST(add_force(monograph, Doubled{}, pair_at(1.0).places(), Forces(force.data(), 2, 3)));
+  BOOST_TEST(close(force, Vectors{{5.5, 2.0, 3.0}, {-0.5, 5.0, 6.0}}, {}));
+}
+
+// Runs of the kernel hold 128 partners: sizes on both sides of one and two full runs.
+BOOST_AUTO_TEST_CASE(agrees_with_the_plain_double_loop_for_any_number_of_particles) {
+  for (const Eigen::Index N : {2, 3, 17, 127, 128, 129, 130, 257, 258}) {
+    const Cloud cloud = cloud_of(N);
+    const NearField law = with_exponents({2.0, 3.0});
+    agrees_with_the_plain_loop(law, cloud, forces(law, Open{}, cloud));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(agrees_with_the_plain_double_loop_for_all_exponents_and_scalings) {
+  const Cloud cloud = cloud_of(40);
+  for (const auto& beta : exponents) {
+    for (const Scaling scaling : {Scaling::mass, Scaling::area, Scaling::pair}) {
+      NearField law = with_exponents(beta);
+      law.scaling = scaling;
+      agrees_with_the_plain_loop(law, cloud, forces(law, Open{}, cloud));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(asks_any_other_domain_once_a_pair) {
+  for (const Eigen::Index N : {2, 17, 129}) {
+    const Cloud cloud = cloud_of(N);
+    for (const auto& beta : exponents) {
+      NearField law = with_exponents(beta);
+      law.scaling = Scaling::area;
+      long times = 0;
+      agrees_with_the_plain_loop(law, cloud, forces(law, Asked{&times}, cloud));
+      BOOST_TEST(times == N * (N - 1) / 2);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(is_nothing_for_one_particle_and_for_none) {
+  long times = 0;
+  for (const Eigen::Index N : {0, 1}) {
+    const Added open = forces(monograph, Open{}, cloud_of(N)), other = forces(monograph, Asked{&times}, cloud_of(N));
+    BOOST_TEST(open.has_value);
+    BOOST_TEST(other.has_value);
+    BOOST_TEST(close(open.force, Vectors::Zero(N, 3), {}));
+    BOOST_TEST(close(other.force, Vectors::Zero(N, 3), {}));
+  }
+  BOOST_TEST(times == 0);
+}
+
+BOOST_AUTO_TEST_CASE(leaves_no_total_force_and_no_total_moment) {
+  const Cloud cloud = cloud_of(200);
+  for (const auto& beta : exponents) {
+    const Added added = forces(with_exponents(beta), Open{}, cloud);
+    const double sizes = added.force.rowwise().norm().sum();
+    const double arms = added.force.rowwise().norm().dot(cloud.position.rowwise().norm());
+    const double terms = plain_double_loop(with_exponents(beta), cloud).terms.sum();
+    BOOST_TEST(sizes > 0.0);
+    BOOST_TEST(arms > 0.0);
+    BOOST_TEST(added.force.colwise().sum().norm() <= 4.0 * eps * terms);
+    BOOST_TEST(moment(cloud.position, added.force).norm() <= 4.0 * eps * terms);
+  }
+}
+
+// Central differences of order 2 with h = 1e-5: h^2/6 of the third derivative, rounding eps V/h.
+BOOST_AUTO_TEST_CASE(is_minus_the_gradient_of_the_potential_energy) {
+  const double h = 1e-5;
+  const Cloud cloud{Vectors{{0.0, 0.0, 0.0}, {1.1, 0.2, 0.0}, {-0.3, 0.9, 0.4}, {0.5, -0.2, -1.2}},
+                    Eigen::Vector4d(1.0, 2.0, 0.5, 1.5), Eigen::Vector4d(0.1, 0.2, 0.3, 0.4)};
+  for (const auto& beta : exponents) {
+    if (beta[1] > 13.0) continue;  // too steep for differences
+    const NearField law = with_exponents(beta);
+    const Added added = forces(law, Open{}, cloud);
+    for (Eigen::Index i = 0; i < 4; ++i) {
+      for (Eigen::Index c = 0; c < 3; ++c) {
+        Cloud ahead = cloud, behind = cloud;
+        ahead.position(i, c) += h;
+        behind.position(i, c) -= h;
+        const double uphill =
+            (potential_energy(law, Open{}, ahead.places()) - potential_energy(law, Open{}, behind.places())) /
+            (2.0 * h);
+        BOOST_TEST(std::abs(added.force(i, c) + uphill) < 1e-7);
+      }
+    }
+  }
+}
+
+// Two, 127 and 128 partners away, so in a run of their own, at its end, and in the next.
+BOOST_AUTO_TEST_CASE(has_no_value_where_two_particles_coincide) {
+  long times = 0;
+  for (const Eigen::Index partner : {1, 2, 127, 128, 129, 199}) {
+    Cloud cloud = cloud_of(200);
+    cloud.position.row(partner) = cloud.position.row(0);
+    BOOST_TEST(!forces(monograph, Open{}, cloud).has_value);
+    BOOST_TEST(!forces(monograph, Asked{&times}, cloud).has_value);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(has_no_value_where_a_place_is_none_or_a_force_is_too_large) {
+  Cloud cloud = cloud_of(20);
+  cloud.position(7, 1) = not_a_number;
+  BOOST_TEST(!forces(monograph, Open{}, cloud).has_value);
+  BOOST_TEST(!forces(monograph, Doubled{}, cloud).has_value);
+  const NearField steep{.alpha1 = 1.0, .alpha2 = 1.0, .beta1 = 7.0, .beta2 = 13.0};
+  BOOST_TEST(!forces(steep, Open{}, pair_at(1e-50)).has_value);
+  BOOST_TEST(!forces(steep, Doubled{}, pair_at(1e-50)).has_value);
+}
+
+// Squares of 1e-100 and 1e100 are held to full precision, those of 1e-158 and 1e160 are not.
+BOOST_AUTO_TEST_CASE(is_exact_at_extreme_distances_or_has_no_value) {
+  const NearField constant{.alpha1 = 1.0, .alpha2 = 0.25, .beta1 = 0.0, .beta2 = 0.0, .scaling = Scaling::pair};
+  for (const double d : {1e-150, 1e-100, 1e100, 1e150}) {
+    BOOST_TEST(forces(constant, Open{}, pair_at(d)).force(0, 0) == 0.75, tolerance(4.0 * eps));
+    BOOST_TEST(forces(constant, Doubled{}, pair_at(d)).force(0, 0) == 0.75, tolerance(4.0 * eps));
+  }
+  for (const double d : {1e-300, 1e-158, 1e160, 1e300}) {
+    BOOST_TEST(!forces(constant, Open{}, pair_at(d)).has_value);
+    BOOST_TEST(!forces(constant, Doubled{}, pair_at(d)).has_value);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(keeps_its_bits_under_powers_of_two) {
+  const Cloud cloud = cloud_of(140);
+  Cloud big = cloud;
+  big.position *= 8.0;
+  const NearField law = with_exponents({2.0, 3.0});
+  NearField scaled = law;
+  scaled.alpha1 *= 64.0;
+  scaled.alpha2 *= 512.0;
+  BOOST_TEST(close(forces(scaled, Open{}, big).force, forces(law, Open{}, cloud).force, {}));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(potential_energy_)
+
+// 6 (ln 2 - 0.5 (1 - 1/2)).
+BOOST_AUTO_TEST_CASE(of_a_pair_is_as_integrated_by_hand) {
+  BOOST_TEST(potential_energy(monograph, Open{}, pair_at(2.0).places()) == 6.0 * (std::numbers::ln2 - 0.25),
+             tolerance(8.0 * eps));
+}
+
+BOOST_AUTO_TEST_CASE(vanishes_at_the_reference_distance) {
+  NearField law = monograph;
+  law.d_ref = 0.7;
+  BOOST_TEST(potential_energy(law, Open{}, pair_at(0.7).places()) == 0.0);
+  BOOST_TEST(potential_energy(law, Doubled{}, pair_at(0.35).places()) == 0.0);
+}
+
+// Three on a line at 0, 1, 3, per pair: distances 1, 2 and 3 with V(d) = ln d - 0.5 (1 - 1/d).
+BOOST_AUTO_TEST_CASE(sums_over_all_pairs_once) {
+  NearField law = monograph;
+  law.scaling = Scaling::pair;
+  const Cloud line{Vectors{{0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 3.0, 0.0}}, Eigen::Vector3d(1.0, 2.0, 3.0),
+                   Eigen::Vector3d::Zero()};
+  BOOST_TEST(potential_energy(law, Open{}, line.places()) == std::log(6.0) - 0.25 - 1.0 / 3.0, tolerance(8.0 * eps));
+}
+
+BOOST_AUTO_TEST_CASE(is_nothing_for_one_particle_and_for_none) {
+  BOOST_TEST(potential_energy(monograph, Open{}, cloud_of(0).places()) == 0.0);
+  BOOST_TEST(potential_energy(monograph, Open{}, cloud_of(1).places()) == 0.0);
+}
+
+BOOST_AUTO_TEST_CASE(is_no_finite_number_where_particles_coincide) {
+  BOOST_TEST(!std::isfinite(potential_energy(monograph, Open{}, pair_at(0.0).places())));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
