@@ -1,0 +1,114 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include <particulate/reference/method.hpp>
+#include <particulate/schemes/problem.hpp>
+#include <particulate/schemes/scheme.hpp>
+
+namespace particulate::reference {
+
+/// A right-hand side \f$ y' = f(t, y) \f$ with its problem's type erased: `rate(t, y, dy)` as in FirstOrderProblem.
+using Rate = std::function<bool(double t, schemes::In y, schemes::Out dy)>;
+
+/// The rate of a first-order problem.
+///
+/// @param problem  the right-hand side; it must outlive the rate
+/// @return its rate
+template <schemes::FirstOrderProblem P>
+Rate rate_of(P& problem, const schemes::Values&) {
+  return [&problem](double t, schemes::In y, schemes::Out dy) { return problem.rate(t, y, dy); };
+}
+
+/// The rate of a second-order problem as \f$ y = (r, v) \f$.
+///
+/// @param problem  the right-hand side; it must outlive the rate
+/// @return its rate
+template <schemes::SecondOrderProblem P>
+Rate rate_of(P& problem, const schemes::Motion&) {
+  return [&problem](double t, schemes::In y, schemes::Out dy) {
+    return schemes::FirstOrderForm<P>{problem}.rate(t, y, dy);
+  };
+}
+
+/// Positions and velocities as one vector \f$ y = (r, v) \f$.
+///
+/// @param motion  a moment of a second-order problem
+/// @return the same moment of its first-order form
+schemes::Values first_order_form(const schemes::Motion& motion);
+
+/// A method of SUNDIALS at work on a problem of ours: the independent judge of every scheme.
+///
+/// The problem is the very object that the schemes get. Its right-hand side reads and writes the vectors of SUNDIALS in
+/// place. What the problem throws comes out of advance() as it was thrown. Where it has no value, or none that is
+/// finite, the step is tried again smaller.
+///
+/// Accuracy has a floor of about 1e-11 (Adams) or 1e-12 (Runge-Kutta) relative, measured over ten orbits of a Kepler
+/// problem; what must hold below that needs a closed form. One integrator is for one thread; several may run at once.
+class Integrator {
+ public:
+  /// Sets a method up on a problem.
+  ///
+  /// @param problem  the right-hand side, of the order of the state; it must outlive the integrator
+  /// @param start    where the first advance is expected to start; it fixes the number of unknowns
+  /// @param method   the method and its settings
+  /// @throws std::invalid_argument if the start is not finite, its lengths differ, or a setting cannot be meant
+  template <schemes::FirstOrderProblem P>
+  Integrator(P& problem, const schemes::Values& start, const Method& method)
+      : Integrator(rate_of(problem, start), start, method) {}
+  /// @copydoc Integrator(P&, const schemes::Values&, const Method&)
+  template <schemes::SecondOrderProblem P>
+  Integrator(P& problem, const schemes::Motion& start, const Method& method)
+      : Integrator(rate_of(problem, start), checked_form(start), method) {}
+
+  Integrator(Integrator&&) noexcept;             ///< What was moved from can only be destroyed or assigned to.
+  Integrator& operator=(Integrator&&) noexcept;  ///< What was moved from can only be destroyed or assigned to.
+  ~Integrator();                                 ///< Returns what SUNDIALS holds.
+
+  /// Advances a state to t_end, which a step meets without interpolation.
+  ///
+  /// Given the state that the last advance left, the method goes on with its history and step. Given any other, and
+  /// after a failure, it starts afresh from there, so that a caller may change the state in between. A leg's end cuts a
+  /// step short, which Adams pays with small steps after it: two legs agree with one to the tolerances, not to the
+  /// bits.
+  ///
+  /// The outcome counts this advance alone. Rejections are failed error tests, steps whose corrector did not converge,
+  /// and steps on which the problem had no value. Sweeps are the corrector's; contraction is not measured and stays 0.
+  ///
+  /// @param state  where to start; on return the state at Outcome::t. If the problem throws it stays as it was.
+  /// @param t_end  the end time, not before the state's [s]
+  /// @return reached, or failed with the reason: SUNDIALS' own name for it, what it means, what to do
+  /// @throws std::invalid_argument for a state that is not finite or has changed its length, and for a bad end
+  /// @throws whatever the problem throws
+  schemes::Outcome advance(schemes::Values& state, double t_end);
+  /// @copydoc advance(schemes::Values&, double)
+  schemes::Outcome advance(schemes::Motion& state, double t_end);
+
+  /// @return right-hand sides by SUNDIALS' own count since the method last started afresh: a check on the outcomes' [-]
+  long evaluations_by_sundials() const;
+
+ private:
+  struct Machinery;
+
+  Integrator(Rate rate, const schemes::Values& start, const Method& method);
+  static schemes::Values checked_form(const schemes::Motion& start);
+
+  std::unique_ptr<Machinery> machinery_;
+};
+
+/// Advances a state to t_end in one leg.
+///
+/// @param problem  the right-hand side, of the order of the state
+/// @param state    the start; on return the state at Outcome::t. If the problem throws it stays as it was.
+/// @param t_end    the end time, not before the start [s]
+/// @param method   the method and its settings
+/// @return as Integrator::advance()
+/// @throws std::invalid_argument for a start, an end or a setting that cannot be meant
+/// @throws whatever the problem throws
+template <class P, class State>
+schemes::Outcome integrate(P& problem, State& state, double t_end, const Method& method) {
+  return Integrator(problem, state, method).advance(state, t_end);
+}
+
+}  // namespace particulate::reference

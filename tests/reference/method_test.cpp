@@ -1,0 +1,148 @@
+#include <particulate/reference/method.hpp>
+
+#include <limits>
+#include <set>
+#include <stdexcept>
+#include <string>
+
+#include <boost/test/unit_test.hpp>
+
+#include "close.hpp"
+
+using particulate::reference::Adams;
+using particulate::reference::embedded_order;
+using particulate::reference::ExplicitRungeKutta;
+using particulate::reference::name;
+using particulate::reference::order;
+using particulate::reference::Table;
+using particulate::reference::table_named;
+using particulate::reference::tables;
+using particulate::reference::validate;
+using tests::says;
+
+namespace {
+
+const double not_a_number = std::numeric_limits<double>::quiet_NaN();
+const double infinity = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(table_named_)
+
+BOOST_AUTO_TEST_CASE(finds_every_table_by_its_name_and_no_two_share_one) {
+  std::set<std::string_view> names;
+  for (const Table table : tables) {
+    BOOST_TEST((table_named(name(table)) == table));
+    names.insert(name(table));
+  }
+  BOOST_TEST(names.size() == 15U);
+}
+
+BOOST_AUTO_TEST_CASE(refuses_an_unknown_name_and_lists_the_known_ones) {
+  BOOST_CHECK_EXCEPTION(table_named("rk4"), std::invalid_argument, says("heun_euler_2_1_2, bogacki_shampine_4_2_3,"));
+  BOOST_CHECK_EXCEPTION(table_named("rk4"), std::invalid_argument, says("; got 'rk4'"));
+  BOOST_CHECK_EXCEPTION(table_named(""), std::invalid_argument, says("; got ''"));
+  BOOST_CHECK_EXCEPTION(table_named("verner_8_5_6 "), std::invalid_argument, says("; got 'verner_8_5_6 '"));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(order_)
+
+// A name ends in stages, embedded order, order; knoth_wolke_3_3 in stages, order.
+BOOST_AUTO_TEST_CASE(is_what_the_name_says) {
+  for (const Table table : tables) {
+    const std::string spelled(name(table));
+    BOOST_TEST_CONTEXT(spelled) {
+      const bool has_embedded = table != Table::knoth_wolke_3_3;
+      BOOST_TEST(order(table) == spelled.back() - '0');
+      BOOST_TEST(embedded_order(table) == (has_embedded ? spelled[spelled.size() - 3] - '0' : 0));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(refuses_what_is_no_enumerator) {
+  const auto none = static_cast<Table>(99);
+  const auto words = says("table must be one of the 15 enumerators, got number 99");
+  BOOST_CHECK_EXCEPTION(order(none), std::invalid_argument, words);
+  BOOST_CHECK_EXCEPTION(embedded_order(none), std::invalid_argument, words);
+  BOOST_CHECK_EXCEPTION(name(none), std::invalid_argument, words);
+  BOOST_CHECK_EXCEPTION(validate(ExplicitRungeKutta{.table = none}), std::invalid_argument, words);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(validate_)
+
+BOOST_AUTO_TEST_CASE(accepts_the_defaults_and_the_limits) {
+  BOOST_CHECK_NO_THROW(validate(Adams{}));
+  BOOST_CHECK_NO_THROW(validate(Adams{.relative = 1e-16, .absolute = 1e-300, .max_order = 1, .max_steps = 1}));
+  BOOST_CHECK_NO_THROW(validate(Adams{.anderson = 5, .first_step = 1e-3, .largest_step = 1e-3}));
+  BOOST_CHECK_NO_THROW(validate(ExplicitRungeKutta{}));
+  BOOST_CHECK_NO_THROW(validate(ExplicitRungeKutta{.table = Table::knoth_wolke_3_3, .fixed_step = 1e-3}));
+}
+
+BOOST_AUTO_TEST_CASE(refuses_tolerances_that_cannot_be_met) {
+  for (const double bad : {1e-17, 0.0, -1e-6, 1.0, infinity, not_a_number}) {
+    BOOST_TEST_CONTEXT("relative = " << bad) {
+      BOOST_CHECK_EXCEPTION(validate(Adams{.relative = bad}), std::invalid_argument,
+                            says("Adams: relative must lie in [1e-16, 1)"));
+      BOOST_CHECK_EXCEPTION(validate(ExplicitRungeKutta{.relative = bad}), std::invalid_argument,
+                            says("explicit Runge-Kutta: relative must lie in [1e-16, 1)"));
+    }
+  }
+  BOOST_CHECK_EXCEPTION(validate(Adams{.relative = 1e-17}), std::invalid_argument, says("got 1e-17"));
+  for (const double bad : {0.0, -1e-6, infinity, not_a_number}) {
+    BOOST_TEST_CONTEXT("absolute = " << bad) {
+      BOOST_CHECK_EXCEPTION(validate(Adams{.absolute = bad}), std::invalid_argument,
+                            says("Adams: absolute must be positive and finite"));
+      BOOST_CHECK_EXCEPTION(validate(ExplicitRungeKutta{.absolute = bad}), std::invalid_argument,
+                            says("explicit Runge-Kutta: absolute must be positive and finite"));
+    }
+  }
+  BOOST_CHECK_EXCEPTION(validate(Adams{.absolute = not_a_number}), std::invalid_argument, says("got nan"));
+}
+
+BOOST_AUTO_TEST_CASE(refuses_steps_that_are_none) {
+  for (const double bad : {0.0, -1.0, infinity, not_a_number}) {
+    BOOST_TEST_CONTEXT("step = " << bad) {
+      BOOST_CHECK_EXCEPTION(validate(Adams{.first_step = bad}), std::invalid_argument,
+                            says("Adams: first_step must be positive and finite"));
+      BOOST_CHECK_EXCEPTION(validate(Adams{.largest_step = bad}), std::invalid_argument,
+                            says("Adams: largest_step must be positive and finite"));
+      BOOST_CHECK_EXCEPTION(validate(ExplicitRungeKutta{.fixed_step = bad}), std::invalid_argument,
+                            says("explicit Runge-Kutta: fixed_step must be positive and finite"));
+      BOOST_CHECK_EXCEPTION(validate(ExplicitRungeKutta{.first_step = bad}), std::invalid_argument,
+                            says("explicit Runge-Kutta: first_step must be positive and finite"));
+      BOOST_CHECK_EXCEPTION(validate(ExplicitRungeKutta{.largest_step = bad}), std::invalid_argument,
+                            says("explicit Runge-Kutta: largest_step must be positive and finite"));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(refuses_settings_that_contradict_each_other) {
+  BOOST_CHECK_EXCEPTION(validate(Adams{.first_step = 2.0, .largest_step = 1.0}), std::invalid_argument,
+                        says("first_step must not exceed largest_step = 1 s, got 2 s"));
+  BOOST_CHECK_EXCEPTION(validate(ExplicitRungeKutta{.first_step = 2.0, .largest_step = 1.0}), std::invalid_argument,
+                        says("first_step must not exceed largest_step = 1 s, got 2 s"));
+  BOOST_CHECK_EXCEPTION(validate(ExplicitRungeKutta{.fixed_step = 0.1, .first_step = 0.1}), std::invalid_argument,
+                        says("got one of them with fixed_step = 0.1 s; leave one out"));
+  BOOST_CHECK_EXCEPTION(validate(ExplicitRungeKutta{.fixed_step = 0.1, .largest_step = 0.1}), std::invalid_argument,
+                        says("got one of them with fixed_step = 0.1 s; leave one out"));
+  BOOST_CHECK_EXCEPTION(validate(ExplicitRungeKutta{.table = Table::knoth_wolke_3_3}), std::invalid_argument,
+                        says("knoth_wolke_3_3 has no embedded method to choose steps by; give a fixed_step"));
+}
+
+BOOST_AUTO_TEST_CASE(refuses_numbers_out_of_range) {
+  BOOST_CHECK_EXCEPTION(validate(Adams{.max_order = 0}), std::invalid_argument,
+                        says("max_order must lie in 1 ... 12, got 0"));
+  BOOST_CHECK_EXCEPTION(validate(Adams{.max_order = 13}), std::invalid_argument, says("1 ... 12, got 13"));
+  BOOST_CHECK_EXCEPTION(validate(Adams{.anderson = -1}), std::invalid_argument,
+                        says("anderson must not be negative, got -1"));
+  BOOST_CHECK_EXCEPTION(validate(Adams{.max_steps = 0}), std::invalid_argument,
+                        says("Adams: max_steps must be positive, got 0"));
+  BOOST_CHECK_EXCEPTION(validate(ExplicitRungeKutta{.max_steps = -5}), std::invalid_argument,
+                        says("explicit Runge-Kutta: max_steps must be positive, got -5"));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
