@@ -1,0 +1,203 @@
+#!/usr/bin/env bash
+# check_site.sh <html folder> [page.html]...   opens pages of the site in headless Chromium and says what is wrong
+# check_site.sh --self-test <html folder>      plants one fault after another into a copy; each must be found
+#
+# Without pages it takes the start, the guides and indexes, then chapters and their verification, 25 at most.
+# Found: formulas not typeset or in error, references to no formula, dead links, anchors, images and objects, anything
+# loaded from beyond the disk. Exit status: 0 nothing found, 1 something found, 2 the check could not be made.
+set -euo pipefail
+
+most_pages=25
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+stop() {
+  echo "check_site: $*" >&2
+  exit 2
+}
+
+browser=$(command -v chromium || command -v chromium-browser || command -v google-chrome) ||
+  stop "needs Chromium to open the pages; install the package chromium"
+
+# The document as it stands after every script has run. The profile is new each time, its network log shows what was
+# asked for, and nothing is answered.
+open_page() {
+  local page=$1 dom=$2 log=$3
+  rm -rf "$work/profile"
+  timeout 120 "$browser" --headless --no-sandbox --disable-gpu --disable-quic --no-first-run --disable-sync \
+    --disable-background-networking --disable-component-update --disable-default-apps --disable-extensions \
+    --host-resolver-rules='MAP * ~NOTFOUND' --user-data-dir="$work/profile" --log-net-log="$log" --virtual-time-budget=30000 \
+    --dump-dom "file://$page" >"$dom" 2>"$work/chatter" ||
+    { cat "$work/chatter" >&2; stop "Chromium could not open $page"; }
+  grep -q '</html>' "$dom" || stop "Chromium returned no document for $page"
+}
+
+found=0
+fault() {
+  echo "$1: $2"
+  found=$((found + 1))
+}
+
+# Text a reader sees: without scripts, listings, tags.
+seen_text() {
+  tr '\n' ' ' <"$1" | sed -E 's/<(script|style|pre|code|title|svg)[ >]/\n&/g; s/<\/(script|style|pre|code|title|svg)>/&\n/g' |
+    grep -vE '^<(script|style|pre|code|title|svg)[ >]' | sed -E 's/<div class="(fragment|line)"[^>]*>([^<]|<\/?(a|span)[^>]*>)*//g; s/<[^>]*>/ /g'
+}
+
+count() { grep -oE "$1" "$2" | wc -l || true; }
+
+check_formulas() {
+  local name=$1 dom=$2 wanted made
+  wanted=$(count '<script type="math/tex' "$dom")
+  made=$(count 'id="MathJax-Element-[0-9]+-Frame"' "$dom")
+  formulas=$((formulas + made))
+  [ "$wanted" = "$made" ] || fault "$name" "$wanted formulas, $made typeset"
+  # In SVG output MathJax draws an error as red text on this yellow, and a missing label as three question marks.
+  if grep -qF 'fill="rgb(255, 255, 136)"' "$dom"; then
+    fault "$name" "a formula is in error: $(grep -oE 'matrix\(1 0 0 -1 0 0\)">[^<]+</text>' "$dom" | head -n 1 | sed 's/^[^>]*>//; s/<.*//')"
+  fi
+  if grep -qE '(<use xlink:href="#MJMAIN-3F"[^>]*></use>){3}' "$dom" || grep -qF '???' "$dom"; then
+    fault "$name" "a reference to a formula that does not exist (???)"
+  fi
+  seen_text "$dom" >"$work/text"
+  if grep -oE '.{0,30}(\\\(|\\\[|\\begin\{|\\f[][$({]).{0,40}' "$work/text" >"$work/raw"; then
+    fault "$name" "TeX that nobody typeset: $(head -n 1 "$work/raw")"
+  fi
+}
+
+# What the page loads must be a local file; what it links to may be elsewhere in the world. Requests that Chromium makes
+# for itself have no origin in its log.
+check_loads() {
+  local name=$1 dom=$2 log=$3 bad
+  while read -r bad; do
+    fault "$name" "loads from beyond the disk: $bad"
+  done < <(grep -oiE '<(link|script|img|object|iframe|embed|source|video|audio|image|use)[^>]*>' "$dom" |
+    grep -oiE '(src|href|data|srcset)="([a-z]+:)?//[^"]*"' | grep -viE '="(file|data):' | sort -u)
+  while read -r bad; do
+    fault "$name" "asked the network for $bad"
+  done < <(grep -E '"url":"(https?|wss?|ftp):' "$log" | grep -F '"initiator":' | grep -vF '"initiator":"not an origin"' |
+    grep -oE '"url":"[^"]*"' | sort -u)
+}
+
+# Every local address of the page: page, target file, anchor, separated by tabs.
+collect_links() {
+  local name=$1 dom=$2
+  grep -oE '<[a-zA-Z][^>]*>' "$dom" | grep -oE ' (href|src|data|xlink:href)="[^"]*"' | sed -E 's/^[^"]*"//; s/"$//; s/&amp;/\&/g' |
+    sort -u | while read -r address; do
+    case $address in
+      '' | '#' | javascript:* | mailto:* | data:* | blob:* | *://* | //*) [[ $address == file:* ]] || continue ;;
+    esac
+    address=${address#file://"$site"/}
+    local file=${address%%#*} anchor=
+    if [[ $address == *'#'* ]]; then anchor=${address#*#} && printf -v anchor '%b' "${anchor//%/\\x}"; fi
+    file=${file%%\?*}
+    printf '%s\t%s\t%s\n' "$name" "${file:-$name}" "$anchor"
+  done >>"$work/links"
+}
+
+check_links() {
+  local name file anchor
+  while IFS=$'\t' read -r name file anchor; do
+    if [ ! -s "$site/$file" ]; then
+      fault "$name" "dead link, image or object: $file"
+      continue
+    fi
+    [ -n "$anchor" ] && [[ $file == *.html ]] || continue
+    local anchors="$work/anchors.${file//\//_}"
+    [ -e "$anchors" ] || grep -oE ' (id|name)="[^"]*"' "$site/$file" | sed -E 's/^[^"]*"//; s/"$//' | sort -u >"$anchors" || true
+    # What scripts add is in the document that the browser gave back.
+    grep -qxF -- "$anchor" "$anchors" || { [ -e "$work/$file.dom" ] && grep -qF -- "id=\"$anchor\"" "$work/$file.dom"; } ||
+      fault "$name" "dead anchor: $file#$anchor"
+  done < <(sort -u "$work/links")
+  links=$(sort -u "$work/links" | wc -l)
+}
+
+check_drawings() {
+  local svg
+  for svg in "$site"/*.svg; do
+    [ -e "$svg" ] || continue
+    if ! tail -c 200 "$svg" | grep -q '</svg>'; then fault "${svg##*/}" "is not a whole SVG file"; fi
+  done
+  while read -r svg; do
+    fault "a style sheet" "loads from beyond the disk: $svg"
+  done < <(cat "$site"/*.css | grep -oE 'url\(["'\'']?(https?:)?//[^)]*\)' | sort -u)
+}
+
+check_pages() {
+  local page
+  formulas=0 links=0
+  : >"$work/links"
+  for page in "$@"; do
+    [ -s "$site/$page" ] || { fault "$page" "no such page in $site"; continue; }
+    open_page "$site/$page" "$work/$page.dom" "$work/net.json"
+    check_formulas "$page" "$work/$page.dom"
+    check_loads "$page" "$work/$page.dom" "$work/net.json"
+    collect_links "$page" "$work/$page.dom"
+  done
+  check_links
+  check_drawings
+  echo "$# pages, $formulas formulas, $links links and images, $found faults"
+  [ "$found" = 0 ]
+}
+
+default_pages() {
+  cd "$site"
+  printf '%s\n' index.html chapters.html verification_guide.html equation_index.html map.html notation.html \
+    provenance.html errata.html adding.html citelist.html
+  ls | grep -E '^(verify_)?(ch[0-9]{2}|app[A-Z])(_[a-z0-9_]+)?\.html$' | grep -v '_source' || true
+}
+
+# --- The check, checked ----------------------------------------------------------------------------------------------
+
+# Plants markup at the end of a page's contents, and wants the check to say the words.
+must_find() {
+  local words=$1 markup=$2 report
+  sed "s|</body>|<p>$(printf '%s' "$markup" | sed 's/[&|\\]/\\&/g')</p></body>|" "$original/notation.html" >"$site/planted.html"
+  if report=$("$0" "$site" planted.html 2>&1); then
+    fault "self-test" "passed in spite of $markup"
+  elif ! grep -qF -- "$words" <<<"$report"; then
+    fault "self-test" "'$markup' was not called '$words' but: $report"
+  else
+    echo "found: $words"
+  fi
+}
+
+self_test() {
+  original=$site
+  site=$work/site
+  cp -r "$original" "$site"
+  cp "$original/notation.html" "$site/planted.html"
+  "$0" "$site" planted.html || stop "the page to be spoilt has faults of its own"
+  must_find 'a formula is in error' '\( \frac{1 \)'
+  must_find 'a formula is in error' '\( \nosuchcommand \)'
+  must_find 'a reference to a formula that does not exist' '\( \eqref{nosuchlabel} \)'
+  must_find 'TeX that nobody typeset' '<span class="tex2jax_ignore">\( x \)</span>'
+  must_find 'dead link, image or object: nosuch.png' '<img src="nosuch.png">'
+  must_find 'dead link, image or object: nosuch.svg' '<object data="nosuch.svg"></object>'
+  must_find 'dead link, image or object: nosuch.html' '<a href="nosuch.html">here</a>'
+  must_find 'dead anchor: map.html#nosuch' '<a href="map.html#nosuch">here</a>'
+  must_find 'loads from beyond the disk' '<script src="https://example.org/x.js"></script>'
+  must_find 'asked the network for' '<script>fetch("http://127.0.0.1:9/quietly");</script>'
+  rm "$site/mathjax/MathJax.js"
+  must_find 'TeX that nobody typeset' 'no MathJax'
+  [ "$found" = 0 ]
+}
+
+case ${1:-} in
+  --self-test)
+    [ $# = 2 ] || stop "usage: check_site.sh --self-test <html folder>"
+    site=$(cd "$2" && pwd)
+    self_test
+    ;;
+  '' | -*) stop "usage: check_site.sh [--self-test] <html folder> [page.html]..." ;;
+  *)
+    site=$(cd "$1" && pwd) || stop "no folder $1; build the target docs first"
+    shift
+    if [ $# = 0 ]; then
+      mapfile -t pages < <(default_pages)
+      if [ ${#pages[@]} -gt $most_pages ]; then echo "${#pages[@]} pages, of which the first $most_pages are opened"; fi
+      set -- "${pages[@]:0:$most_pages}"
+    fi
+    check_pages "$@"
+    ;;
+esac

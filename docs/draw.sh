@@ -1,0 +1,29 @@
+#!/bin/sh
+# draw.sh <script.gp> <folder> [name=value]...
+# Runs a gnuplot script in an empty <folder>.raw, with the variables given, and leaves the SVG files that it drew in
+# <folder>, in the colours of whoever reads them. Fails if gnuplot does, or warns
+# (of data it cannot find), or draws nothing.
+set -eu
+here=$(cd "$(dirname "$0")" && pwd)
+script=$(realpath "$1")
+folder=$2
+shift 2
+definitions="style='$here/style.gp'; work_precision='$here/work_precision.gp'"
+for pair in "$@"; do
+  definitions="$definitions; ${pair%%=*}='${pair#*=}'"
+done
+rm -rf "$folder" "$folder.raw"
+mkdir -p "$folder" "$folder.raw"
+cd "$folder.raw"
+gnuplot -e "$definitions" "$script" 2>messages || failed=$?
+cat messages >&2
+if [ -n "${failed:-}" ] || grep -q 'warning:' messages; then
+  echo "draw.sh: gnuplot complains about $script; a figure without all of its data is no figure" >&2
+  exit 1
+fi
+set -- *.svg
+if [ ! -e "$1" ]; then
+  echo "draw.sh: $script drew no SVG file; set its output to '<chapter>_<name>.svg'" >&2
+  exit 1
+fi
+awk -v out="../${folder##*/}" -f "$here/svgtheme.awk" "$@"
