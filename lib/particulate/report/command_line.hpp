@@ -1,0 +1,130 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <iosfwd>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include <particulate/report/parameter_file.hpp>
+#include <particulate/report/range.hpp>
+
+namespace particulate::report {
+
+/// What every program can be asked for.
+struct Common {
+  bool quick = false;              ///< --quick: smaller sizes and fewer repeats, no claim dropped; --full: false
+  std::filesystem::path out;       ///< --out: folder for the results
+  std::uint64_t seed = 1;          ///< --seed: start of every sequence of random numbers, 0 ... 2^63 - 1
+  int threads = 1;                 ///< --threads: 1 or more; results do not depend on it
+  std::vector<std::string> cases;  ///< --case, once for each; empty: all
+  bool list = false;               ///< --list: name the cases and end
+};
+
+/// What a program says of itself.
+struct Program {
+  std::string name;                ///< file name of the program, `ch01_fundamentals`
+  std::string summary;             ///< one sentence for --help
+  std::filesystem::path out = {};  ///< where results go unless --out says otherwise; empty: `out/<name>`
+  bool has_cases = false;          ///< offers --case and --list (a verification program does)
+};
+
+/// What a reader must know of one parameter.
+struct Field {
+  std::string name;         ///< option (`--name`) and TOML key: a lower-case letter, then letters, digits, underscores
+  std::string meaning;      ///< one line
+  std::string unit = "-";   ///< SI unit as text; "-" for a pure number
+  Range range = any();      ///< values allowed, the default among them
+  std::string source = {};  ///< where the default comes from; may be empty
+};
+
+/// The command line and the parameter file of one program.
+///
+/// A value on the command line beats one in the file given with --config, which beats the default. Whatever a program
+/// was run with, parameters_toml() says completely, and --config reads that back to the same bits.
+class CommandLine {
+ public:
+  /// @param program  name, sentence, default folder, and whether it has cases
+  explicit CommandLine(Program program);
+  // Fields are known by their addresses, the common ones by addresses in here.
+  CommandLine(const CommandLine&) = delete;
+  CommandLine& operator=(const CommandLine&) = delete;
+
+  /// Makes a number a parameter. The variable keeps its default until parse() finds another value.
+  /// @param value  the variable, holding its default; must outlive this object
+  /// @param field  name, meaning, unit, range
+  /// @throws std::invalid_argument if the name is taken or ill-formed, the meaning empty, or the default out of range
+  void field(double& value, Field field);
+  /// Makes a whole number a parameter. Throws as for a number.
+  /// @param value  the variable, holding its default; must outlive this object
+  /// @param field  name, meaning, unit, range
+  /// @throws std::invalid_argument as for a number
+  void field(int& value, Field field);
+  /// Makes a switch a parameter: true or false. Throws as for a number.
+  /// @param value  the variable, holding its default; must outlive this object
+  /// @param field  name and meaning
+  /// @throws std::invalid_argument as for a number
+  void field(bool& value, Field field);
+  /// Makes a text a parameter, usually with one_of(). Throws as for a number.
+  /// @param value  the variable, holding its default; must outlive this object
+  /// @param field  name, meaning, range
+  /// @throws std::invalid_argument as for a number
+  void field(std::string& value, Field field);
+
+  /// Reads the command line, and the file that --config names, into the fields and common().
+  /// @param argc   as main() gets it
+  /// @param argv   as main() gets it
+  /// @param out    where --help is printed
+  /// @param error  where a refusal is printed: what must hold, what was given, what to do
+  /// @return the exit status if the program should end now: 0 after --help, 2 after a refusal
+  [[nodiscard]] std::optional<int> parse(int argc, const char* const* argv, std::ostream& out, std::ostream& error);
+  /// Reads the command line, printing to the standard streams. See the other overload.
+  /// @param argc  as main() gets it
+  /// @param argv  as main() gets it
+  /// @return the exit status if the program should end now: 0 after --help, 2 after a refusal
+  [[nodiscard]] std::optional<int> parse(int argc, const char* const* argv);
+
+  /// @return the options that every program has, as parsed
+  const Common& common() const { return common_; }
+  /// @return the command as one line that a shell would take, as parsed
+  const std::string& line() const { return line_; }
+  /// @return the text that --help prints: every option, with meaning, unit, default and range
+  std::string help() const;
+  /// @return a TOML file of all fields as they are now, with seed and quick: what --config needs to repeat the run
+  std::string parameters_toml() const;
+  /// Writes parameters_toml() to `<out>/parameters.toml`, whole.
+  /// @throws std::runtime_error if it cannot be written
+  void write_parameters() const;
+
+ private:
+  using Target = std::variant<double*, int*, std::uint64_t*, bool*, std::string*>;
+  struct Entry {
+    Field field;
+    Target target;
+    std::string default_text;
+    bool everywhere;  // seed, threads, quick: every program has them
+  };
+
+  void enter(Field field, Target target, bool everywhere);
+  std::optional<int> read_tokens(int argc, const char* const* argv, std::ostream& out);
+  void read_file(const std::filesystem::path& file);
+  const Entry* entry_named(const std::string& name) const;
+  std::vector<std::string> option_names() const;
+
+  Program program_;
+  Common common_;
+  std::vector<Entry> entries_;
+  std::string line_;
+};
+
+/// Runs a program's body and turns what it throws into a message and exit status 2.
+/// @param name  the program, which begins the message
+/// @param body  everything main() does; returns the exit status
+/// @return what body returned, or 2 after an exception
+int guarded(std::string_view name, const std::function<int()>& body);
+
+}  // namespace particulate::report
