@@ -1,0 +1,1 @@
+// No case at all: a program whose cases were lost on the way must not end well.

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <harness/case.hpp>
+#include <particulate/report/table.hpp>
+
+namespace verification {
+
+/// What one case gave.
+struct CaseResult {
+  Claim claim;                             ///< what it claims
+  std::vector<Row> rows;                   ///< at least one
+  std::vector<Stability> stability;        ///< verdicts on extreme cases
+  std::vector<WorkPrecisionPoint> points;  ///< measured
+  double seconds = 0.0;                    ///< wall time of the whole case
+
+  /// @return how many rows failed
+  std::size_t failed() const;
+};
+
+/// Runs one case. What it throws becomes a failed row; so does a case that compares nothing.
+/// @param claimed   the case
+/// @param settings  what the run was asked for
+/// @return its rows, at least one
+CaseResult prove(const Case& claimed, const Rows::Settings& settings);
+
+/// @param chapter  `ch01` ... `appB`
+/// @param results  of every case that ran
+/// @param quick    which run it was
+/// @return the table written as rows.csv
+particulate::report::Table rows_table(const std::string& chapter, const std::vector<CaseResult>& results, bool quick);
+/// @param chapter  `ch01` ... `appB`
+/// @param results  of every case that ran
+/// @return the table written as work_precision.csv
+particulate::report::Table work_precision_table(const std::string& chapter, const std::vector<CaseResult>& results);
+/// @param chapter  `ch01` ... `appB`
+/// @param results  of every case that ran
+/// @return the table written as stability.csv
+particulate::report::Table stability_table(const std::string& chapter, const std::vector<CaseResult>& results);
+
+/// @param results  of every case that ran
+/// @return one line a row for a terminal
+std::string summary(const std::vector<CaseResult>& results);
+/// @param result  of one case
+/// @param row     one of its rows that failed
+/// @return everything about it, for a terminal
+std::string failure_in_full(const CaseResult& result, const Row& row);
+
+}  // namespace verification

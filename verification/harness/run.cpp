@@ -1,0 +1,149 @@
+#include <harness/run.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <iostream>
+#include <set>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include <harness/registry.hpp>
+#include <harness/results.hpp>
+#include <particulate/report/command_line.hpp>
+#include <particulate/report/files.hpp>
+#include <particulate/report/progress.hpp>
+#include <particulate/report/spelling.hpp>
+#include <particulate/report/stamp.hpp>
+
+namespace verification {
+namespace {
+
+namespace report = particulate::report;
+
+bool is_blank(const std::string& text) { return text.find_first_not_of(' ') == std::string::npos; }
+
+// Two cases of one name would hide one another, in --case and in every table.
+void check(const std::vector<const Case*>& cases) {
+  std::set<std::string> names;
+  for (const Case* one : cases) {
+    const auto& [name, claim, equation, reference] = one->claim();
+    if (name.empty() || name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") != std::string::npos) {
+      throw std::invalid_argument(fmt::format(
+          "a case's name must be lower-case letters, digits and underscores, got \"{}\". Rename it.", name));
+    }
+    if (!names.insert(name).second) {
+      throw std::invalid_argument(fmt::format("names of cases must differ, got \"{}\" twice. Rename one.", name));
+    }
+    if (is_blank(claim) || is_blank(equation)) {
+      throw std::invalid_argument(
+          fmt::format("case {} must state its claim and its equation, got \"{}\" and \"{}\". Fill them in.", name,
+                      claim, equation));
+    }
+  }
+}
+
+std::vector<const Case*> sorted_cases() {
+  std::vector<const Case*> cases = registry();
+  std::sort(cases.begin(), cases.end(), [](const Case* a, const Case* b) { return a->claim().name < b->claim().name; });
+  check(cases);
+  return cases;
+}
+
+std::vector<const Case*> chosen_cases(const std::vector<const Case*>& all, const std::vector<std::string>& wanted) {
+  std::vector<std::string> names;
+  for (const Case* one : all) names.push_back(one->claim().name);
+  for (const std::string& name : wanted) {
+    if (std::find(names.begin(), names.end(), name) != names.end()) continue;
+    const std::vector<std::string> near = report::near_matches(name, names);
+    throw std::invalid_argument(
+        fmt::format("--case must name a case of this program, got \"{}\". {}", name,
+                    near.empty() ? "See --list." : "Did you mean " + report::either(near) + "?"));
+  }
+  if (wanted.empty()) return all;
+  std::vector<const Case*> chosen;
+  for (const Case* one : all) {
+    if (std::find(wanted.begin(), wanted.end(), one->claim().name) != wanted.end()) chosen.push_back(one);
+  }
+  return chosen;
+}
+
+std::string listed(const std::vector<const Case*>& cases) {
+  report::Table table({"case", "equation", "reference", "claim"});
+  for (const Case* one : cases) {
+    const auto& [name, claim, equation, reference] = one->claim();
+    table.add({name, equation, name_of(reference), claim});
+  }
+  return table.text();
+}
+
+std::vector<CaseResult> prove_all(const std::vector<const Case*>& cases, const Rows::Settings& settings) {
+  std::vector<CaseResult> results;
+  if (cases.empty()) return results;
+  report::Progress progress("cases", static_cast<double>(cases.size()), 0.0);
+  for (const Case* one : cases) {
+    progress.label(one->claim().name);
+    progress.at(static_cast<double>(results.size()));
+    results.push_back(prove(*one, settings));
+    progress.wipe();
+    const CaseResult& result = results.back();
+    fmt::print("{}  {:<40} {:>4} rows  {:>8.3f} s\n", result.failed() == 0 ? "pass" : "FAIL", result.claim.name,
+               result.rows.size(), result.seconds);
+    std::fflush(stdout);
+  }
+  return results;
+}
+
+void write_all(const report::Output& output, const std::string& chapter, const std::vector<CaseResult>& results,
+               bool quick) {
+  output.write("rows", rows_table(chapter, results, quick));
+  output.write("work_precision", work_precision_table(chapter, results));
+  output.write("stability", stability_table(chapter, results));
+}
+
+// Prints the table and every failure in full; the exit status is the verdict.
+int conclude(const std::vector<CaseResult>& results, std::string_view chapter, std::string_view title) {
+  std::size_t rows = 0, failed = 0;
+  fmt::print("\n{}: {}\n\n{}\n", chapter, title, summary(results));
+  for (const CaseResult& result : results) {
+    rows += result.rows.size(), failed += result.failed();
+    for (const Row& row : result.rows) {
+      if (!row.passed) fmt::print("{}\n", failure_in_full(result, row));
+    }
+  }
+  fmt::print("{} rows, {} failed\n", rows, failed);
+  return failed == 0 && rows > 0 ? 0 : 1;
+}
+
+int run_cases(const report::CommandLine& command, std::string_view chapter, std::string_view title) {
+  const report::Common& common = command.common();
+  const std::vector<const Case*> cases = chosen_cases(sorted_cases(), common.cases);
+  if (common.list) {
+    fmt::print("{}", listed(cases));
+    return 0;
+  }
+  const report::Output output(common.out);
+  const report::Stamp stamp = report::make_stamp(command.line(), common.seed, "baseline");
+  fmt::print("{}\n\n", report::one_line(stamp));
+  const std::vector<CaseResult> results =
+      prove_all(cases, {.quick = common.quick, .seed = common.seed, .threads = common.threads, .folder = common.out});
+  write_all(output, std::string(chapter), results, common.quick);
+  report::write_stamp(common.out, stamp);
+  return conclude(results, chapter, title);
+}
+
+}  // namespace
+
+int run(int argc, const char* const* argv, std::string_view chapter, std::string_view title) {
+  const std::string program = fmt::format("verify_{}", chapter);
+  return report::guarded(program, [&] {
+    report::CommandLine command(
+        {.name = program,
+         .summary = fmt::format("the claims of {} ({}), each against an independent reference", chapter, title),
+         .has_cases = true});
+    if (const std::optional<int> status = command.parse(argc, argv)) return *status;
+    return run_cases(command, chapter, title);
+  });
+}
+
+}  // namespace verification
