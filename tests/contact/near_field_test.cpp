@@ -191,6 +191,8 @@ BOOST_AUTO_TEST_CASE(names_the_constant_what_must_hold_and_what_was_given) {
     BOOST_CHECK_EXCEPTION(validate(NearField{.d_ref = bad}), std::invalid_argument,
                           says("d_ref must be positive and finite, got"));
   }
+  BOOST_CHECK_EXCEPTION(validate(NearField{.scaling = static_cast<Scaling>(7)}), std::invalid_argument,
+                        says("scaling must be mass, area or pair, got number 7"));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

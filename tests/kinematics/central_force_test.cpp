@@ -91,6 +91,23 @@ BOOST_AUTO_TEST_CASE(of_a_power_of_two_is_exact) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(keeps_its_bits_when_the_base_is_scaled_by_a_power_of_two) {
+  int kept = 0;
+  for (int k = 0; k < 1000; ++k) {
+    const double x = 1.0 + k / 1009.0;
+    kept += power(8.0 * x, 13.0) == 0x1p39 * power(x, 13.0) && power(0.25 * x, -3.0) == 64.0 * power(x, -3.0);
+  }
+  BOOST_TEST(kept == 1000);
+}
+
+BOOST_AUTO_TEST_CASE(is_formed_by_multiplication_where_the_exponent_is_small_and_whole) {
+  for (int k = 0; k < 100; ++k) {
+    const double x = 1.0 + k / 101.0, square = x * x, fourth = square * square;
+    BOOST_TEST(power(x, 5.0) == x * fourth);
+    BOOST_TEST(power(x, 64.0) == power(power(fourth, 4.0), 4.0));
+  }
+}
+
 // 3^13 = 1594323.
 BOOST_AUTO_TEST_CASE(of_a_small_whole_number_is_exact) {
   BOOST_TEST(power(3.0, 13.0) == 1594323.0);
@@ -123,6 +140,14 @@ BOOST_AUTO_TEST_CASE(does_not_depend_on_distance_for_exponents_of_zero) {
   const CentralForce constant{.alpha1 = 3.0, .alpha2 = 1.0, .beta1 = 0.0, .beta2 = 0.0};
   BOOST_TEST(strength(constant, 1e-300) == 2.0);
   BOOST_TEST(strength(constant, 1e300) == 2.0);
+}
+
+// 1e-30^-13 overflows, but nothing repels here: C = d^-1.
+BOOST_AUTO_TEST_CASE(leaves_out_what_has_no_strength_even_where_its_power_overflows) {
+  const CentralForce pull{.alpha1 = 1.0, .alpha2 = 0.0, .beta1 = 1.0, .beta2 = 13.0};
+  BOOST_TEST(strength(pull, 1e-30) == 1e30);
+  BOOST_TEST(normal_stiffness(pull, 1e-30) == -1e60, boost::test_tools::tolerance(1e-15));
+  BOOST_TEST(std::isfinite(potential(pull, 1e-30)));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

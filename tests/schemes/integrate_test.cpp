@@ -107,7 +107,15 @@ void validate(const Halving& control) {
   if (!(control.step > 0.0)) throw std::invalid_argument("halving: step must be positive");
 }
 
-// Predicts by Euler's rule, and sweeps without changing anything: contractions 0.5, 0.25, ...
+// A controller with a mistake: it accepts whatever it is shown.
+struct Gullible {
+  double dt() const { return 0.5; }
+  bool goes_on(const Iteration&) const { return false; }
+  Decision judge(const Attempt&) { return {.accepted = true, .impossible = {}}; }
+};
+void validate(const Gullible&) {}
+
+// Predicts by Euler's rule and sweeps without changing anything; contracts by 1/2 in the first step, 1/4 in later ones.
 struct Sweeping {
   static constexpr int order = 1;
   int K = -1;
@@ -123,7 +131,8 @@ struct Sweeping {
   Iteration sweep(P& problem, const Values& from, double dt, Values& to) {
     Eigen::VectorXd dy(from.y.size());
     const bool evaluated = problem.rate(from.t + dt, to.y, dy);
-    return {.rate = K < 0 ? 0.0 : std::pow(0.5, K + 1), .K = ++K, .evaluated = evaluated};
+    ++K;
+    return {.rate = from.t == 0.0 ? 0.5 : 0.25, .K = K, .evaluated = evaluated};
   }
   void accept(double) {}
   void forget() {}
@@ -188,13 +197,26 @@ BOOST_AUTO_TEST_CASE(looks_at_every_number) {
 
 BOOST_AUTO_TEST_SUITE_END()
 
+BOOST_AUTO_TEST_SUITE(controller_)
+
+BOOST_AUTO_TEST_CASE(must_not_accept_a_step_without_a_value) {
+  RungeKutta4 scheme;
+  const Limited problem{1.0};
+  Values state = one();
+  Gullible control;
+  BOOST_CHECK_THROW((void)integrate(problem, state, 10.0, scheme, control), std::logic_error);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
 BOOST_AUTO_TEST_SUITE(attempt_)
 
 BOOST_AUTO_TEST_CASE(makes_no_sweep_with_an_explicit_scheme) {
   RungeKutta4 scheme;
   const Limited problem{1.0};
   Values to;
-  const Iteration it = attempt(scheme, problem, one(), 0.5, to, FixedStep{.step = 0.5});
+  Outcome booked;
+  const Iteration it = attempt(scheme, problem, one(), 0.5, to, FixedStep{.step = 0.5}, booked);
   BOOST_TEST(it.evaluated);
   BOOST_TEST(it.K == -1);
   BOOST_TEST(to.y[0] == 1.5);
@@ -204,17 +226,20 @@ BOOST_AUTO_TEST_CASE(sweeps_once_and_then_for_as_long_as_the_controller_asks) {
   Sweeping scheme;
   const Limited problem{1.0};
   Values to;
-  BOOST_TEST(attempt(scheme, problem, one(), 0.5, to, FixedStep{.step = 0.5}).K == 0);
-  BOOST_TEST(attempt(scheme, problem, one(), 0.5, to, Halving{.step = 0.5, .smallest = 0.1}).K == 2);
+  Outcome booked;
+  BOOST_TEST(attempt(scheme, problem, one(), 0.5, to, FixedStep{.step = 0.5}, booked).K == 0);
+  BOOST_TEST(attempt(scheme, problem, one(), 0.5, to, Halving{.step = 0.5, .smallest = 0.1}, booked).K == 2);
+  BOOST_TEST(booked.sweeps == 4);
 }
 
 BOOST_AUTO_TEST_CASE(does_not_take_an_infinite_state_for_a_value) {
   RungeKutta4 scheme;
   const Explosion problem;
   Values to;
-  BOOST_TEST(
-      !attempt(scheme, problem, Values{0.0, Eigen::VectorXd::Constant(1, 1e200)}, 0.5, to, FixedStep{.step = 0.5})
-           .evaluated);
+  Outcome booked;
+  BOOST_TEST(!attempt(scheme, problem, Values{0.0, Eigen::VectorXd::Constant(1, 1e200)}, 0.5, to,
+                      FixedStep{.step = 0.5}, booked)
+                  .evaluated);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
@@ -280,6 +305,17 @@ BOOST_AUTO_TEST_CASE(counts_what_it_does_and_lands_on_the_end) {
   BOOST_TEST(state.t == 1.0);
   BOOST_TEST(control.step == 0.3);
   BOOST_TEST(state.r[0] == std::cos(1.0), tolerance(1e-3));
+}
+
+// -1 + (0.1 + 1) is 0.1 + 8e-17 in doubles.
+BOOST_AUTO_TEST_CASE(lands_on_the_end_where_the_sum_of_its_steps_does_not) {
+  Values state = one(-1.0);
+  const Limited problem{infinity};
+  RungeKutta4 scheme;
+  FixedStep control{.step = 2.0};
+  BOOST_TEST(integrate(problem, state, 0.1, scheme, control).steps == 1);
+  BOOST_TEST(-1.0 + (0.1 + 1.0) != 0.1);
+  BOOST_TEST(state.t == 0.1);
 }
 
 // Rounding of the time once made 9974 steps of pi/9973.

@@ -31,7 +31,9 @@ void powers(const Run& x, Eigen::Index n, double exponent, Run& out) {
     if (left % 2 == 1) {
       for (Eigen::Index k = 0; k < n; ++k) out[k] *= base[k];
     }
-    for (Eigen::Index k = 0; k < n; ++k) base[k] *= base[k];
+    if (left > 1) {
+      for (Eigen::Index k = 0; k < n; ++k) base[k] *= base[k];
+    }
   }
 }
 
@@ -80,6 +82,10 @@ void validate(const NearField& law) {
   if (!(law.d_ref > 0.0 && std::isfinite(law.d_ref))) {
     throw std::invalid_argument(fmt::format("near field: d_ref must be positive and finite, got {} m", law.d_ref));
   }
+  if (law.scaling != Scaling::mass && law.scaling != Scaling::area && law.scaling != Scaling::pair) {
+    throw std::invalid_argument(
+        fmt::format("near field: scaling must be mass, area or pair, got number {}", static_cast<int>(law.scaling)));
+  }
 }
 
 kinematics::CentralForce pair_law(const NearField& law, double charge_i, double charge_j) {
@@ -103,11 +109,11 @@ Eigen::VectorXd charges(const NearField& law, const Places& at) {
 
 bool add_force(const NearField& law, const kinematics::Open&, const Places& at, Forces force) {
   const Eigen::Index N = at.mass.size();
-  const Eigen::VectorXd charge = charges(law, at);
+  const Eigen::VectorXd other = law.scaling == Scaling::mass ? Eigen::VectorXd() : charges(law, at);
+  const double* const charge = law.scaling == Scaling::mass ? at.mass.data() : other.data();  // masses are not copied
   const double* const r = at.position.data();
   double* const f = force.data();
-  const Columns columns{
-      .x = r, .y = r + N, .z = r + 2 * N, .charge = charge.data(), .fx = f, .fy = f + N, .fz = f + 2 * N};
+  const Columns columns{.x = r, .y = r + N, .z = r + 2 * N, .charge = charge, .fx = f, .fy = f + N, .fz = f + 2 * N};
   for (Eigen::Index i = 0; i < N; ++i) {
     for (Eigen::Index j = i + 1; j < N; j += run_length) {
       if (!add_run(law, columns, i, j, std::min(run_length, N - j))) return false;

@@ -23,12 +23,17 @@ void require_positive_mass(double m) {
   }
 }
 
+// A term that is absent stays absent where its power overflows.
+double times_power(double factor, double x, double exponent) {
+  return factor == 0.0 ? 0.0 : factor * power(x, exponent);
+}
+
 // One power's share of V(d) - V(d_ref): alpha times the integral of x^-beta from d_ref to d.
 double integral_of_power(double alpha, double beta, double d, double d_ref) {
   const double exponent = 1.0 - beta;
   const double logarithm = std::log(d / d_ref);
   const double growth = exponent == 0.0 ? logarithm : std::expm1(exponent * logarithm) / exponent;
-  return alpha * power(d_ref, exponent) * growth;
+  return alpha == 0.0 ? 0.0 : alpha * power(d_ref, exponent) * growth;
 }
 
 }  // namespace
@@ -53,7 +58,7 @@ double power(double x, double exponent) {
 }
 
 double strength(const CentralForce& law, double d) {
-  return law.alpha1 * power(d, -law.beta1) - law.alpha2 * power(d, -law.beta2);
+  return times_power(law.alpha1, d, -law.beta1) - times_power(law.alpha2, d, -law.beta2);
 }
 
 Eigen::Vector3d force(const CentralForce& law, const Eigen::Vector3d& r, const Eigen::Vector3d& r_o) {
@@ -71,7 +76,8 @@ double potential(const CentralForce& law, double d, double d_ref) {
 }
 
 double normal_stiffness(const CentralForce& law, double d) {
-  return law.alpha2 * law.beta2 * power(d, -law.beta2 - 1.0) - law.alpha1 * law.beta1 * power(d, -law.beta1 - 1.0);
+  return times_power(law.alpha2 * law.beta2, d, -law.beta2 - 1.0) -
+         times_power(law.alpha1 * law.beta1, d, -law.beta1 - 1.0);
 }
 
 double transverse_stiffness(const CentralForce& law, double d) { return strength(law, d) / d; }

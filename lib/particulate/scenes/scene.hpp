@@ -64,11 +64,22 @@ class Scene {
   /// @return the domain
   const D& domain() const { return domain_; }
 
-  /// Accelerations at given positions, if they have a finite value there. @see schemes::PositionProblem
+  /// Accelerations at given positions. @see schemes::PositionProblem
+  ///
+  /// @param t  time [s]
+  /// @param r  positions, 3 N numbers, column by column [m]
+  /// @param a  receives the accelerations, as long as r [m/s^2]
+  /// @return whether they have a finite value there
   bool acceleration(double t, schemes::In r, schemes::Out a) const requires(!needs_velocity) {
     return force(places(t, r), a) && divide_by_mass(a);
   }
-  /// Accelerations at given positions and velocities, if they have a finite value there. @see schemes::MotionProblem
+  /// Accelerations at given positions and velocities. @see schemes::MotionProblem
+  ///
+  /// @param t  time [s]
+  /// @param r  positions, 3 N numbers, column by column [m]
+  /// @param v  velocities, as long as r [m/s]
+  /// @param a  receives the accelerations, as long as r [m/s^2]
+  /// @return whether they have a finite value there
   bool acceleration(double t, schemes::In r, schemes::In v, schemes::Out a) const requires needs_velocity {
     return force(moving(t, r, v), a) && divide_by_mass(a);
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -49,14 +50,19 @@ struct Unobserved {
 /// @param dt       the step [s]
 /// @param to       receives the state at its end
 /// @param control  asked whether to sweep on
+/// @param out      gets the sweeps, and the largest contraction among them
 /// @return how the iteration went; not evaluated if the problem had no value or the new state is not finite
 template <class S, class P, class State, Controller C>
-Iteration attempt(S& scheme, P& problem, const State& from, double dt, State& to, const C& control) {
+Iteration attempt(S& scheme, P& problem, const State& from, double dt, State& to, const C& control, Outcome& out) {
   Iteration it;
   it.evaluated = scheme.predict(problem, from, dt, to);
   if constexpr (Iterative<S, P, State>) {
-    while (it.evaluated && (it.K < 0 || control.goes_on(it))) it = scheme.sweep(problem, from, dt, to);
+    while (it.evaluated && (it.K < 0 || control.goes_on(it))) {
+      it = scheme.sweep(problem, from, dt, to);
+      out.contraction = std::max(out.contraction, it.rate);
+    }
   }
+  out.sweeps += it.K + 1;
   it.evaluated = it.evaluated && is_finite(to);
   return it;
 }
@@ -109,6 +115,7 @@ std::string too_small(double t, double dt);
 /// @param observer  gets (from, to, dt, scheme) of each accepted step before its jump, returns whether to go on
 /// @return status, reason and counts
 /// @throws std::invalid_argument for a start, an end or a controller that cannot be meant
+/// @throws std::logic_error if the controller accepts a step that has no value
 template <class P, class State, Scheme<P, State> S, Controller C, class Observer = Unobserved>
 Outcome integrate(P& problem, State& state, double t_end, S& scheme, C& control, Observer&& observer = {}) {
   validate_run(state, t_end);
@@ -127,26 +134,27 @@ Outcome integrate(P& problem, State& state, double t_end, S& scheme, C& control,
     const double left = t_end - state.t;
     const double dt = step_towards_end(control.dt(), left, rounding_of_time(out.steps, state.t, t_end));
     if (!(state.t + dt > state.t)) return end(Status::failed, too_small(state.t, dt));
-    const Iteration it = attempt(scheme, counted, state, dt, to, control);
-    out.sweeps += it.K + 1;
-    out.contraction = std::max(out.contraction, it.rate);
+    const Iteration it = attempt(scheme, counted, state, dt, to, control, out);
     Decision decision = control.judge({.dt = dt, .iteration = it});
     if (!decision.impossible.empty()) return end(Status::failed, std::move(decision.impossible));
+    if (decision.accepted && !it.evaluated) {
+      throw std::logic_error("a controller must refuse a step on which the problem had no value, but it accepted one");
+    }
     if (!decision.accepted) {
       ++out.rejections;
       continue;
     }
     if (dt == left) to.t = t_end;
     scheme.accept(dt);
-    ++out.steps;
     const bool go_on = observer(std::as_const(state), std::as_const(to), dt, std::as_const(scheme));
     if constexpr (Jumps<P>) {
       Jump jump = counted.jump(to, dt);
       out.impacts += jump.impacts;
-      if (jump.impacts > 0) scheme.forget();
+      if (jump.impacts > 0 || !jump.unsettled.empty()) scheme.forget();
       if (!jump.unsettled.empty()) return end(Status::failed, std::move(jump.unsettled));
     }
     std::swap(state, to);
+    ++out.steps;
     if (!go_on) return end(Status::stopped, "the observer asked for it");
   }
   return end(Status::reached, {});

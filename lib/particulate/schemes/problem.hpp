@@ -118,6 +118,7 @@ struct Counted {
   long evaluations = 0;  ///< right-hand sides asked for so far; slow and fast parts count apart [-]
   long jacobians = 0;    ///< Jacobians asked for so far [-]
 
+  /// @cond every ability, forwarded under its own name
   /// Counts and forwards. @see PositionProblem
   bool acceleration(double t, In r, Out a) requires PositionProblem<P> {
     ++evaluations;
@@ -157,6 +158,7 @@ struct Counted {
   std::optional<double> first_jump(const Path& path, double end) requires LocatesJumps<P, Path> {
     return problem.first_jump(path, end);
   }
+  /// @endcond
 };
 
 /// Any second-order problem as \f$ y = (r, v) \f$: for integrators that know first-order problems only.
