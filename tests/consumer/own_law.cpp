@@ -1,0 +1,86 @@
+// A law of one's own beside the library's: a harmonic trap that holds a cloud together. Whatever the particles do to
+// one another, their centre of mass then swings like a single body, r_cm = r_0 cos(w t) + (v_0/w) sin(w t).
+
+#include <cmath>
+#include <stdexcept>
+
+#include <fmt/core.h>
+
+#include <particulate/contact/near_field.hpp>
+#include <particulate/kinematics/energy.hpp>
+#include <particulate/kinematics/momentum.hpp>
+#include <particulate/scenes/scene.hpp>
+#include <particulate/schemes/fixed_step.hpp>
+#include <particulate/schemes/integrate.hpp>
+#include <particulate/schemes/runge_kutta.hpp>
+
+using namespace particulate;
+
+// [law]
+namespace mine {
+
+struct Trap {
+  double rate = 1.0;  // angular frequency of one particle alone in the trap [1/s]
+};
+
+void validate(const Trap& trap) {
+  if (!(trap.rate > 0.0)) throw std::invalid_argument(fmt::format("trap: rate must be positive, got {}", trap.rate));
+}
+
+template <kinematics::Domain D>
+bool add_force(const Trap& trap, const D& domain, const contact::Places& at, contact::Forces force) {
+  const Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+  for (Eigen::Index i = 0; i < at.mass.size(); ++i) {
+    const Eigen::Vector3d towards = separation(domain, at.position.row(i), centre);
+    force.row(i) += at.mass[i] * trap.rate * trap.rate * towards.transpose();
+  }
+  return true;
+}
+
+template <kinematics::Domain D>
+double potential_energy(const Trap& trap, const D& domain, const contact::Places& at) {
+  double sum = 0.0;
+  for (Eigen::Index i = 0; i < at.mass.size(); ++i) {
+    const Eigen::Vector3d away = separation(domain, Eigen::Vector3d::Zero(), at.position.row(i));
+    sum += 0.5 * at.mass[i] * trap.rate * trap.rate * away.squaredNorm();
+  }
+  return sum;
+}
+
+}  // namespace mine
+// [law]
+
+// [use]
+int main() {
+  const kinematics::Particles cloud{.position = kinematics::Vectors{{1.0, 0.0, 0.0}, {2.0, 0.5, 0.0}, {1.5, 0.0, 1.0}},
+                                    .velocity = kinematics::Vectors{{0.0, 1.0, 0.0}, {0.0, 0.0, 0.5}, {0.2, 0.0, 0.0}},
+                                    .mass = Eigen::Vector3d{1.0, 2.0, 3.0},
+                                    .radius = Eigen::VectorXd::Zero(3)};
+  const mine::Trap trap{.rate = 2.0};
+  const contact::NearField near_field{.alpha1 = 0.5, .alpha2 = 0.25};
+  const scenes::Scene scene(cloud, kinematics::Open{}, near_field, trap);
+
+  const double t = 2.9;  // no multiple of a period
+  schemes::Motion state = scenes::start(scene);
+  schemes::RungeKutta4 scheme;
+  schemes::FixedStep control{.step = 1e-3};
+  const auto energy = [&] {
+    const kinematics::Vectors v = state.v.reshaped(3, 3);
+    return scene.potential_energy(state) + kinematics::kinetic_energy(cloud.mass, v);
+  };
+  const double energy_before = energy();
+  const schemes::Outcome outcome = schemes::integrate(scene, state, t, scheme, control);
+
+  const Eigen::Vector3d r_0 = kinematics::centre_of_mass(cloud.mass, cloud.position);
+  const Eigen::Vector3d v_0 = kinematics::centre_of_mass(cloud.mass, cloud.velocity);
+  const Eigen::Vector3d swung = r_0 * std::cos(trap.rate * t) + v_0 / trap.rate * std::sin(trap.rate * t);
+  const kinematics::Vectors r = state.r.reshaped(3, 3);
+  const double error = (kinematics::centre_of_mass(cloud.mass, r) - swung).norm();
+  const double gained = energy() - energy_before;
+  fmt::print("centre of mass off by {:.1e} m, energy by {:.1e} J, after {} steps\n", error, gained, outcome.steps);
+
+  // A fixed step of order 4: (w dt)^4 = 1.6e-11 a unit of time. The pair forces bend faster than the trap.
+  const bool right = outcome.status == schemes::Status::reached && error < 1e-11 && std::abs(gained) < 1e-8;
+  return right ? 0 : 1;
+}
+// [use]

@@ -1,0 +1,33 @@
+// Two particles under the near field, from rest to their closest approach: a third of where they started.
+
+#include <cmath>
+
+#include <fmt/core.h>
+
+#include <particulate/contact/near_field.hpp>
+#include <particulate/scenes/scene.hpp>
+#include <particulate/schemes/fixed_step.hpp>
+#include <particulate/schemes/integrate.hpp>
+#include <particulate/schemes/verlet.hpp>
+
+using namespace particulate;
+
+int main() {
+  const kinematics::Particles particles{.position = kinematics::Vectors{{-0.5, 0.0, 0.0}, {0.5, 0.0, 0.0}},
+                                        .velocity = kinematics::Vectors::Zero(2, 3),
+                                        .mass = Eigen::VectorXd::Ones(2),
+                                        .radius = Eigen::VectorXd::Zero(2)};
+  const contact::NearField near_field{.alpha1 = 1.0, .alpha2 = 0.5, .beta1 = 2.0, .beta2 = 3.0};
+  const scenes::Scene scene(particles, kinematics::Open{}, near_field);
+
+  const double half_a_period = 2.4183991523123 / 2.0;
+  schemes::Motion state = scenes::start(scene);
+  schemes::VelocityVerlet scheme;
+  schemes::FixedStep control{.step = 1e-4};
+  const schemes::Outcome outcome = schemes::integrate(scene, state, half_a_period, scheme, control);
+
+  const double distance = state.r[1] - state.r[0];
+  fmt::print("distance {:.9f} after {} steps\n", distance, outcome.steps);
+  const bool right = outcome.status == schemes::Status::reached && std::abs(distance - 1.0 / 3.0) < 1e-7;
+  return right ? 0 : 1;
+}

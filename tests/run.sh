@@ -1,0 +1,54 @@
+#!/usr/bin/env bash
+# Every test of the project, from a fresh machine to one verdict.
+set -euo pipefail
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+# shellcheck source=tests/setup.sh
+. "$root/tests/setup.sh"
+
+usage() {
+  cat <<END
+usage: tests/run.sh [options]
+
+Installs what is missing, builds everything, and runs the unit tests, every chapter's program and its verification as
+quick runs, the documentation with its check, and small projects that use the library. Ends with status 0 if all pass.
+
+$setup_help
+  --help            print this
+END
+}
+
+for word in "$@"; do
+  if [[ $word == --help ]]; then
+    usage
+    exit
+  elif ! setup_option "$word"; then
+    echo "tests/run.sh: there is no option '$word'" >&2
+    usage >&2
+    exit 2
+  fi
+done
+
+stage set-up
+set_up build docs
+
+stage configure
+cd "$root"
+cmake --preset release
+
+stage build
+cmake --build --preset release
+
+stage headers
+cmake --build --preset release --target all_verify_interface_header_sets
+
+# What comes after a failure still runs: one run shows all that is wrong.
+stage documentation
+status=0
+cmake --build --preset release --target docs || status=$?
+
+stage tests
+ctest --preset release --parallel "$(nproc)" || status=$?
+
+print_stages
+exit "$status"
