@@ -71,7 +71,8 @@ inline Allowed allowed_to_steps(const ExactBreathing& exact, int order, double h
   const double energy = order == 4 ? 3.0 * std::pow(phase, 5) / 120.0 : 0.0;
   const double share = radians + exact.depth() * energy + 1e-12;
   return {.errors = errors_of_shift(exact, share),
-          .because = fmt::format("three passages of r_min, two radians each at omega h = {:.2g}, the energy RK4 loses there, and 1e-12 of rounding: a "
+          .because = fmt::format("three passages of r_min, two radians each at omega h = {:.2g}, the energy RK4 loses "
+                                 "there, and 1e-12 of rounding: a "
                                  "shift in time by {:.1g} of a period",
                                  phase, share)};
 }
@@ -79,10 +80,11 @@ inline Allowed allowed_to_steps(const ExactBreathing& exact, int order, double h
 /// What three periods of a reference method may lose: its energy is a difference of parts `depth` times larger.
 inline Allowed allowed_to_tolerance(const ExactBreathing& exact, double global) {
   const double share = global * exact.depth();
-  return {.errors = errors_of_shift(exact, share),
-          .because = fmt::format("a global error of {:g} in energies that are {:.2g} times the total at r_min: a shift in "
-                                 "time by {:.1g} of a period",
-                                 global, exact.depth(), share)};
+  return {
+      .errors = errors_of_shift(exact, share),
+      .because = fmt::format("a global error of {:g} in energies that are {:.2g} times the total at r_min: a shift in "
+                             "time by {:.1g} of a period",
+                             global, exact.depth(), share)};
 }
 
 /// Global errors of the reference methods with their tolerances here: some hundred times the tolerance, more for Adams.

@@ -13,7 +13,8 @@ namespace {
 using namespace particulate;
 using namespace verification;
 
-// alpha is chosen so that alpha1 (m_i + m_j) is the same 4 for every pair: A = 4, B = 2, a = 2/3 and T = 2 pi sqrt(2/27).
+// alpha is chosen so that alpha1 (m_i + m_j) is the same 4 for every pair: A = 4, B = 2, a = 2/3 and T = 2 pi
+// sqrt(2/27).
 constexpr double period = 1.710066440215819;
 
 struct Pair {
@@ -21,8 +22,8 @@ struct Pair {
 };
 
 template <class Move>
-void compare(Rows& rows, const Pair& pair, const ExactBreathing& exact, const std::string& method, const Allowed& allowed,
-             const Move& move) {
+void compare(Rows& rows, const Pair& pair, const ExactBreathing& exact, const std::string& method,
+             const Allowed& allowed, const Move& move) {
   NearFieldScene scene(pair_at_rest(pair.m_i, pair.m_j, 1.0), {},
                        {.alpha1 = pair.alpha1, .alpha2 = 0.5 * pair.alpha1, .beta1 = 2.0, .beta2 = 3.0});
   const BreathingErrors worst =
@@ -32,15 +33,17 @@ void compare(Rows& rows, const Pair& pair, const ExactBreathing& exact, const st
 }
 
 void compare(Rows& rows, const Pair& pair) {
-  const ExactBreathing exact{
-      .force = kinematics::breathing_pair(pair.alpha1, 0.5 * pair.alpha1, pair.m_i, pair.m_j), .r_0 = 1.0};
+  const ExactBreathing exact{.force = kinematics::breathing_pair(pair.alpha1, 0.5 * pair.alpha1, pair.m_i, pair.m_j),
+                             .r_0 = 1.0};
   rows.compare(fmt::format("period [s], masses {} and {}", pair.m_i, pair.m_j),
                {.expected = period,
                 .computed = exact.motion.period(),
                 .tolerance = relative(1e-15),
                 .because = "alpha1 (m_i + m_j) is rounded twice"});
   compare(rows, pair, exact, "RK4", allowed_to_steps(exact, 4, period / 5000.0),
-          [](auto& scene, schemes::Motion& state, double t_end) { advance<schemes::RungeKutta4>(scene, state, t_end, 500); });
+          [](auto& scene, schemes::Motion& state, double t_end) {
+            advance<schemes::RungeKutta4>(scene, state, t_end, 500);
+          });
   // The heavy body moves by 1e-12 m only: the absolute tolerance must lie below that.
   reference::ExplicitRungeKutta fine = fehlberg;
   fine.absolute = 1e-26;

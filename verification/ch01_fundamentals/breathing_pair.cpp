@@ -1,7 +1,7 @@
 // Two unit masses under (beta1, beta2) = (2, 3), released at rest at 1 m: Kepler's equation gives every moment.
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <fmt/format.h>
+#include <boost/multiprecision/cpp_bin_float.hpp>
 
 #include <harness/case.hpp>
 #include <particulate/schemes/runge_kutta.hpp>
@@ -24,10 +24,20 @@ struct Line {
 const Line lines[] = {
     {.alpha2 = 0.5, .r_min = 1.0 / 3.0, .period = 2.4183991523123, .peak = 4.5, .r_min_exact = 1.0 / 3.0},
     {.alpha2 = 0.1, .r_min = 0.0526315789474, .period = 1.6964242387647, .peak = 324.9, .r_min_exact = 1.0 / 19.0},
-    {.alpha2 = 0.01, .r_min = 0.00502512562814, .period = 1.5826513622677, .peak = 39204.99, .r_min_exact = 1.0 / 199.0},
-    {.alpha2 = 0.001, .r_min = 0.000500250125063, .period = 1.5719751607805, .peak = 3992004.999, .r_min_exact = 1.0 / 1999.0}};
+    {.alpha2 = 0.01,
+     .r_min = 0.00502512562814,
+     .period = 1.5826513622677,
+     .peak = 39204.99,
+     .r_min_exact = 1.0 / 199.0},
+    {.alpha2 = 0.001,
+     .r_min = 0.000500250125063,
+     .period = 1.5719751607805,
+     .peak = 3992004.999,
+     .r_min_exact = 1.0 / 1999.0}};
 
-ExactBreathing exact_pair(double alpha2) { return {.force = kinematics::breathing_pair(1.0, alpha2, 1.0, 1.0), .r_0 = 1.0}; }
+ExactBreathing exact_pair(double alpha2) {
+  return {.force = kinematics::breathing_pair(1.0, alpha2, 1.0, 1.0), .r_0 = 1.0};
+}
 
 contact::NearField near_field(double alpha2) { return {.alpha1 = 1.0, .alpha2 = alpha2, .beta1 = 2.0, .beta2 = 3.0}; }
 
@@ -47,11 +57,12 @@ void compare_table(Rows& rows, const Line& line) {
                                       .computed = exact.motion.period(),
                                       .tolerance = relative(4e-14),
                                       .because = "14 digits of the reference"});
-  rows.compare("peak force [N]" + which,
-               {.expected = line.peak,
-                .computed = -strength(contact::pair_law(near_field(line.alpha2), 1.0, 1.0), exact.motion.nearest()),
-                .tolerance = relative(2e-15),
-                .because = "-C(r_min) = (1 - alpha2) (2 - alpha2)^2/alpha2^2 by hand; the rounding of r_min counts thrice"});
+  rows.compare(
+      "peak force [N]" + which,
+      {.expected = line.peak,
+       .computed = -strength(contact::pair_law(near_field(line.alpha2), 1.0, 1.0), exact.motion.nearest()),
+       .tolerance = relative(2e-15),
+       .because = "-C(r_min) = (1 - alpha2) (2 - alpha2)^2/alpha2^2 by hand; the rounding of r_min counts thrice"});
 }
 
 // r and dr/dt at a time by Kepler's equation in 50 digits, halved into place.
@@ -88,11 +99,12 @@ void compare_closed_form(Rows& rows, const Line& line) {
   const std::string which = fmt::format(", alpha2 = {}", line.alpha2);
   rows.at_most("closed form against 50 digits, r/r_0" + which,
                {.limit = 1e-15, .computed = worst.position, .because = "a few roundings of the largest value"});
-  rows.at_most("closed form against 50 digits, dr/dt over its largest" + which,
-               {.limit = 1e-15 + errors_of_shift(exact_pair(line.alpha2), 6.6e-19).velocity,
-                .computed = worst.velocity,
-                .because = "a few roundings of the largest value, and three periods kept to 2^-63: a shift in time that "
-                           "counts where the force is largest"});
+  rows.at_most(
+      "closed form against 50 digits, dr/dt over its largest" + which,
+      {.limit = 1e-15 + errors_of_shift(exact_pair(line.alpha2), 6.6e-19).velocity,
+       .computed = worst.velocity,
+       .because = "a few roundings of the largest value, and three periods kept to 2^-63: a shift in time that "
+                  "counts where the force is largest"});
 }
 
 template <class Move>
@@ -108,11 +120,13 @@ template <class S>
 void compare_steps(Rows& rows, double alpha2, const std::string& method, long steps_a_tenth) {
   const ExactBreathing exact = exact_pair(alpha2);
   const double h = exact.motion.period() / 10.0 / static_cast<double>(steps_a_tenth);
-  compare_run(rows, alpha2, method, allowed_to_steps(exact, S::order, h),
-              [&](auto& scene, schemes::Motion& state, double t_end) { advance<S>(scene, state, t_end, steps_a_tenth); });
+  compare_run(
+      rows, alpha2, method, allowed_to_steps(exact, S::order, h),
+      [&](auto& scene, schemes::Motion& state, double t_end) { advance<S>(scene, state, t_end, steps_a_tenth); });
 }
 
-void compare_reference(Rows& rows, double alpha2, const std::string& name, double global, const reference::Method& method) {
+void compare_reference(Rows& rows, double alpha2, const std::string& name, double global,
+                       const reference::Method& method) {
   compare_run(rows, alpha2, name, allowed_to_tolerance(exact_pair(alpha2), global),
               [&](auto& scene, schemes::Motion& state, double t_end) { advance_by(method, scene, state, t_end); });
 }

@@ -32,10 +32,9 @@ void compare_constants(Rows& rows, int N) {
                                                        .computed = force.A,
                                                        .tolerance = relative(4e-15),
                                                        .because = because});
-  rows.compare(fmt::format("B [m^4/s^2], N = {}", N), {.expected = alpha2 / 24.0 * (N * N - 1),
-                                                       .computed = force.B,
-                                                       .tolerance = relative(4e-15),
-                                                       .because = because});
+  rows.compare(
+      fmt::format("B [m^4/s^2], N = {}", N),
+      {.expected = alpha2 / 24.0 * (N * N - 1), .computed = force.B, .tolerance = relative(4e-15), .because = because});
 }
 
 // The motion is unstable: what rounding puts across it grows about a thousandfold a period.
@@ -52,8 +51,9 @@ void compare_run(Rows& rows, int N, const std::string& method, int periods, cons
   const kinematics::Vectors corners = kinematics::regular_polygon(N);
   NearFieldScene scene(at_rest(corners, 1.0, Eigen::VectorXd::Ones(N)), {},
                        {.alpha1 = 1.0, .alpha2 = alpha2, .beta1 = 2.0, .beta2 = 3.0});
-  const BreathingErrors worst = errors_at_tenths(exact_polygon(N), corners, scenes::start(scene), 10 * periods,
-                                                 [&](schemes::Motion& state, double t_end) { move(scene, state, t_end); });
+  const BreathingErrors worst =
+      errors_at_tenths(exact_polygon(N), corners, scenes::start(scene), 10 * periods,
+                       [&](schemes::Motion& state, double t_end) { move(scene, state, t_end); });
   compare_errors(rows, fmt::format(" at {} tenths of a period, {}, N = {}", 10 * periods, method, N), worst,
                  with_growth(allowed, periods));
 }
@@ -61,7 +61,9 @@ void compare_run(Rows& rows, int N, const std::string& method, int periods, cons
 void compare_runs(Rows& rows, int N, int periods) {
   const ExactBreathing exact = exact_polygon(N);
   compare_run(rows, N, "RK4", periods, allowed_to_steps(exact, 4, exact.motion.period() / 5000.0),
-              [](auto& scene, schemes::Motion& state, double t_end) { advance<schemes::RungeKutta4>(scene, state, t_end, 500); });
+              [](auto& scene, schemes::Motion& state, double t_end) {
+                advance<schemes::RungeKutta4>(scene, state, t_end, 500);
+              });
   compare_run(rows, N, "ARKODE Fehlberg 13(7,8)", periods, allowed_to_tolerance(exact, global_of_runge_kutta),
               [](auto& scene, schemes::Motion& state, double t_end) { advance_by(fehlberg, scene, state, t_end); });
   compare_run(rows, N, "CVODE Adams", periods, allowed_to_tolerance(exact, global_of_adams),
@@ -76,10 +78,11 @@ const Case breathing_polygon{
     [](Rows& rows) {
       for (const int N : {2, 3, 4, 5, 6, 7, 12}) compare_constants(rows, N);
       for (const auto& [N, period] : {std::pair{3, 3.693698908296404}, {5, 2.557674818374453}}) {
-        rows.compare(fmt::format("period [s], N = {}", N), {.expected = period,
-                                                            .computed = exact_polygon(N).motion.period(),
-                                                            .tolerance = relative(2e-15),
-                                                            .because = "A and B to some eps, 16 digits of the reference"});
+        rows.compare(fmt::format("period [s], N = {}", N),
+                     {.expected = period,
+                      .computed = exact_polygon(N).motion.period(),
+                      .tolerance = relative(2e-15),
+                      .because = "A and B to some eps, 16 digits of the reference"});
       }
       for (const int N : {3, 5, 7}) {
         for (const int periods : {1, 2}) compare_runs(rows, N, periods);

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
-#include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <Eigen/Geometry>
+#include <boost/math/quadrature/gauss_kronrod.hpp>
 
 #include <harness/case.hpp>
 #include <particulate/kinematics/momentum.hpp>
@@ -71,30 +71,44 @@ void compare(Rows& rows, const std::string& method, double share, const std::str
   const ExactBreathing exact{.force = kinematics::breathing_pair(alpha1, alpha2, m_i, m_j, l_z), .r_0 = 1.0};
   const Errors worst = errors_at_tenths(exact.motion, move);
   const double dt = share * period;
-  rows.at_most("distance [m], " + method, {.limit = dt * exact.largest_speed(), .computed = worst.distance, .because = because});
-  rows.at_most("its rate [m/s], " + method, {.limit = dt * exact.largest_acceleration(), .computed = worst.rate, .because = because});
-  rows.at_most("angle [rad], " + method, {.limit = dt * l_z / (r_min * r_min), .computed = worst.angle, .because = because});
+  rows.at_most("distance [m], " + method,
+               {.limit = dt * exact.largest_speed(), .computed = worst.distance, .because = because});
+  rows.at_most("its rate [m/s], " + method,
+               {.limit = dt * exact.largest_acceleration(), .computed = worst.rate, .because = because});
+  rows.at_most("angle [rad], " + method,
+               {.limit = dt * l_z / (r_min * r_min), .computed = worst.angle, .because = because});
 }
 
 const Case breathing_rotating{
     {.name = "breathing_rotating",
-     .claim = "angular momentum adds Lz^2/m* to the pair's alpha2, and the radial period is that of a pair at rest with it",
+     .claim =
+         "angular momentum adds Lz^2/m* to the pair's alpha2, and the radial period is that of a pair at rest with it",
      .equation = "D 1.4.1",
      .reference = Reference::closed_form},
     [](Rows& rows) {
       const kinematics::Breathing exact(kinematics::breathing_pair(alpha1, alpha2, m_i, m_j, l_z), 1.0);
-      rows.compare("radial period [s]", {.expected = period, .computed = exact.period(), .tolerance = relative(4e-16), .because = "A and B are exact here"});
-      rows.compare("r_min [m]", {.expected = r_min, .computed = exact.nearest(), .tolerance = relative(4e-16), .because = "A and B are exact here"});
+      rows.compare("radial period [s]", {.expected = period,
+                                         .computed = exact.period(),
+                                         .tolerance = relative(4e-16),
+                                         .because = "A and B are exact here"});
+      rows.compare("r_min [m]", {.expected = r_min,
+                                 .computed = exact.nearest(),
+                                 .tolerance = relative(4e-16),
+                                 .because = "A and B are exact here"});
 
       // Lz = m* l_z with m* = 3/4, about slanted() x across.
       const NearFieldScene scene = turning_pair();
       const Eigen::Vector3d expected = 0.75 * l_z * slanted().cross(across);
-      const Eigen::Vector3d computed = kinematics::angular_momentum(scene.particles().mass, scene.particles().position, scene.particles().velocity);
+      const Eigen::Vector3d computed =
+          kinematics::angular_momentum(scene.particles().mass, scene.particles().position, scene.particles().velocity);
       rows.at_most("error of the start's angular momentum [kg m^2/s]",
                    {.limit = 5e-16, .computed = (computed - expected).norm(), .because = "products near 1, rounded"});
       // (omega h)^4/120 over 6 radians, with 4.4/s along and 3.2/s around at r_min: 5.5/s, h = 4.9e-4 s.
-      compare(rows, "RK4", 4e-12, "5.5/s at r_min times h = 4.9e-4 s gives 3e-12 in three periods, and 1e-12 of rounding",
-              [](auto& moving, schemes::Motion& state, double t_end) { advance<schemes::RungeKutta4>(moving, state, t_end, 500); });
+      compare(rows, "RK4", 4e-12,
+              "5.5/s at r_min times h = 4.9e-4 s gives 3e-12 in three periods, and 1e-12 of rounding",
+              [](auto& moving, schemes::Motion& state, double t_end) {
+                advance<schemes::RungeKutta4>(moving, state, t_end, 500);
+              });
       compare(rows, "CVODE Adams", global_of_adams, "its global error with a tolerance of 1e-14",
               [](auto& moving, schemes::Motion& state, double t_end) { advance_by(adams, moving, state, t_end); });
     }};

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <string>
 
-#include <Eigen/Geometry>
 #include <fmt/format.h>
+#include <Eigen/Geometry>
 
 #include <harness/case.hpp>
 #include <particulate/kinematics/central_force.hpp>
@@ -29,9 +29,7 @@ Eigen::Matrix3d gradient(const Field& field, const Vector3d& r, double h) {
   return slopes;
 }
 
-Vector3d curl(const Eigen::Matrix3d& of) {
-  return {of(2, 1) - of(1, 2), of(0, 2) - of(2, 0), of(1, 0) - of(0, 1)};
-}
+Vector3d curl(const Eigen::Matrix3d& of) { return {of(2, 1) - of(1, 2), of(0, 2) - of(2, 0), of(1, 0) - of(0, 1)}; }
 
 struct Seen {
   double curl;   // of the force, over its largest slope
@@ -70,11 +68,12 @@ const Case central_force_curl{
           worst = {.curl = std::max(worst.curl, here.curl), .swirl = std::max(worst.swirl, here.swirl)};
         }
         const std::string which = fmt::format("beta = ({}, {})", law.beta1, law.beta2);
-        rows.at_most("|curl Psi| / max slope, " + which,
-                     {.limit = 1e-12,
-                      .computed = worst.curl,
-                      .because = "differences over h = 0.002 d of values rounded to eps carry about 4 eps/0.002 = 4e-13; "
-                                 "truncation is below 1e-14 for beta = 13"});
+        rows.at_most(
+            "|curl Psi| / max slope, " + which,
+            {.limit = 1e-12,
+             .computed = worst.curl,
+             .because = "differences over h = 0.002 d of values rounded to eps carry about 4 eps/0.002 = 4e-13; "
+                        "truncation is below 1e-14 for beta = 13"});
         rows.at_most("error of the curl of an added swirl, " + which,
                      {.limit = 1e-6,
                       .computed = worst.swirl,

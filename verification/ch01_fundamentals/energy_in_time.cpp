@@ -56,11 +56,14 @@ const Case energy_in_time{
         const std::vector<double> errors = energy_errors<S>(scene, t_end, steps);
         rows.order(what, {.nominal = nominal, .steps = steps, .errors = errors, .floor = 1e-15, .because = because});
       };
-      compare("RK4, pair, t = 1.7 s", schemes::RungeKutta4{}, pair, 1.7, 80, 5,
-              "the part of order 4 is a bounded oscillation with a small constant: in extended precision one step's error "
-              "falls as h^5.2 near h = 0.004 and as h^5.01 near 1e-4; above, the drift of order 5 prevails");
-      compare("velocity Verlet, pair, t = 1.7 s", schemes::VelocityVerlet{}, pair, 1.7, 200, 2, "a symplectic scheme of order 2 keeps a neighbouring energy, h^2 away");
-      compare("velocity Verlet, cloud, t = 1.3 s", schemes::VelocityVerlet{}, cloud, 1.3, 200, 2, "a symplectic scheme of order 2 keeps a neighbouring energy, h^2 away");
+      compare(
+          "RK4, pair, t = 1.7 s", schemes::RungeKutta4{}, pair, 1.7, 80, 5,
+          "the part of order 4 is a bounded oscillation with a small constant: in extended precision one step's error "
+          "falls as h^5.2 near h = 0.004 and as h^5.01 near 1e-4; above, the drift of order 5 prevails");
+      compare("velocity Verlet, pair, t = 1.7 s", schemes::VelocityVerlet{}, pair, 1.7, 200, 2,
+              "a symplectic scheme of order 2 keeps a neighbouring energy, h^2 away");
+      compare("velocity Verlet, cloud, t = 1.3 s", schemes::VelocityVerlet{}, cloud, 1.3, 200, 2,
+              "a symplectic scheme of order 2 keeps a neighbouring energy, h^2 away");
       const std::vector<double> steps = halved(1.3, 80, 5);
       const std::vector<double> errors = energy_errors<schemes::RungeKutta4>(cloud, 1.3, steps);
       rows.order_at_least("RK4, cloud, t = 1.3 s",

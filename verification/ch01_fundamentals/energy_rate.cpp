@@ -52,10 +52,13 @@ const Case energy_rate{
      .equation = "M 1.16",
      .reference = Reference::identity},
     [](Rows& rows) {
-      scenes::Scene scene(random_cloud({.N = 20}, rows.case_seed()), kinematics::Open{}, contact::NearField{.alpha1 = 0.5, .alpha2 = 0.25},
-                          FixedCentre{.place{0.4, 2.0, -1.0}, .law{.alpha1 = 2.0, .alpha2 = 0.1, .beta1 = 0.5, .beta2 = 1.5}});
+      scenes::Scene scene(
+          random_cloud({.N = 20}, rows.case_seed()), kinematics::Open{},
+          contact::NearField{.alpha1 = 0.5, .alpha2 = 0.25},
+          FixedCentre{.place{0.4, 2.0, -1.0}, .law{.alpha1 = 2.0, .alpha2 = 0.1, .beta1 = 0.5, .beta2 = 1.5}});
       constexpr long fine = 20;
-      const std::vector<schemes::Motion> states = path<schemes::RungeKutta4>(scene, scenes::start(scene), 8.0 * h, 8 * fine);
+      const std::vector<schemes::Motion> states =
+          path<schemes::RungeKutta4>(scene, scenes::start(scene), 8.0 * h, 8 * fine);
       std::vector<schemes::Motion> nine;
       for (std::size_t k = 0; k <= 8; ++k) nine.push_back(states[k * fine]);
 
@@ -66,34 +69,49 @@ const Case energy_rate{
       const kinematics::Vectors force = rows_of(flat), r = rows_of(middle.r), v = rows_of(middle.v);
 
       const Sums written_out = sums_of(mass, middle);
-      const auto distance_from = [](const Eigen::Vector3d& computed, const Eigen::Vector3d& expected) { return (computed - expected).norm() / expected.norm(); };
+      const auto distance_from = [](const Eigen::Vector3d& computed, const Eigen::Vector3d& expected) {
+        return (computed - expected).norm() / expected.norm();
+      };
       const char* const summed = "sums over 20 particles rounded to eps/2 each";
-      rows.compare("T [J]", {.expected = written_out.energy, .computed = kinematics::kinetic_energy(mass, v), .tolerance = relative(5e-15), .because = summed});
-      rows.at_most("error of G", {.limit = 5e-14, .computed = distance_from(kinematics::linear_momentum(mass, v), written_out.momentum), .because = summed});
-      rows.at_most("error of H_o", {.limit = 5e-14, .computed = distance_from(kinematics::angular_momentum(mass, r, v), written_out.about_origin), .because = summed});
+      rows.compare("T [J]", {.expected = written_out.energy,
+                             .computed = kinematics::kinetic_energy(mass, v),
+                             .tolerance = relative(5e-15),
+                             .because = summed});
+      rows.at_most("error of G", {.limit = 5e-14,
+                                  .computed = distance_from(kinematics::linear_momentum(mass, v), written_out.momentum),
+                                  .because = summed});
+      rows.at_most("error of H_o",
+                   {.limit = 5e-14,
+                    .computed = distance_from(kinematics::angular_momentum(mass, r, v), written_out.about_origin),
+                    .because = summed});
 
-      const char* const because = "differences of sums near 100 rounded to 1e-16 over h = 0.01 carry 1e-12; truncation "
-                                  "h^8 and RK4's (h/20)^4 lie below";
+      const char* const because =
+          "sums near 10 rounded to 1e-16 carry 2e-13 in differences over h = 0.01; truncation h^8 and "
+          "RK4's (h/20)^4 lie below";
       rows.compare("dT/dt [W]",
                    {.expected = rate_at_middle(nine, [&](const auto& at) { return sums_of(mass, at).energy; }),
                     .computed = kinematics::power_of(force, v),
-                    .tolerance = relative(1e-10),
+                    .tolerance = relative(2e-12),
                     .because = because});
       const Eigen::Vector3d dG = force.colwise().sum().transpose(), dH = kinematics::moment(r, force);
       for (int axis = 0; axis < 3; ++axis) {
         const std::string name(1, "xyz"[axis]);
-        rows.compare("dG_" + name + "/dt [N]",
-                     {.expected = rate_at_middle(nine, [&](const auto& at) { return sums_of(mass, at).momentum[axis]; }),
-                      .computed = dG[axis],
-                      .tolerance = absolute(1e-10 * dG.norm()),
-                      .because = because});
-        rows.compare("dH_" + name + "/dt [N m]",
-                     {.expected = rate_at_middle(nine, [&](const auto& at) { return sums_of(mass, at).about_origin[axis]; }),
-                      .computed = dH[axis],
-                      .tolerance = absolute(1e-10 * dH.norm()),
-                      .because = because});
+        rows.compare(
+            "dG_" + name + "/dt [N]",
+            {.expected = rate_at_middle(nine, [&](const auto& at) { return sums_of(mass, at).momentum[axis]; }),
+             .computed = dG[axis],
+             .tolerance = absolute(1e-12 * dG.norm()),
+             .because = because});
+        rows.compare(
+            "dH_" + name + "/dt [N m]",
+            {.expected = rate_at_middle(nine, [&](const auto& at) { return sums_of(mass, at).about_origin[axis]; }),
+             .computed = dH[axis],
+             .tolerance = absolute(1e-12 * dH.norm()),
+             .because = because});
       }
-      rows.at_least("power [W]", {.limit = 1e-2, .computed = std::abs(kinematics::power_of(force, v)), .because = "else nothing was compared"});
+      rows.at_least("power [W]", {.limit = 1e-2,
+                                  .computed = std::abs(kinematics::power_of(force, v)),
+                                  .because = "else nothing was compared"});
     }};
 
 }  // namespace

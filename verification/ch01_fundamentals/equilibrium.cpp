@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <fmt/format.h>
+#include <boost/multiprecision/cpp_bin_float.hpp>
 
 #include <harness/case.hpp>
 #include <particulate/kinematics/central_force.hpp>
@@ -23,9 +23,8 @@ const kinematics::CentralForce real{.alpha1 = 3.0, .alpha2 = 0.7, .beta1 = 1.3, 
 
 // The curvature of a pair's total potential energy when one body moves along a direction.
 double stiffness(const kinematics::CentralForce& law, double d, const Eigen::Vector3d& direction) {
-  const NearFieldScene scene(
-      pair_at_rest(1.0, 1.0, d), {},
-      {.alpha1 = law.alpha1, .alpha2 = law.alpha2, .beta1 = law.beta1, .beta2 = law.beta2});
+  const NearFieldScene scene(pair_at_rest(1.0, 1.0, d), {},
+                             {.alpha1 = law.alpha1, .alpha2 = law.alpha2, .beta1 = law.beta1, .beta2 = law.beta2});
   const schemes::Motion start = scenes::start(scene);
   const auto energy = [&](double x) {
     schemes::Motion moved = start;
@@ -68,14 +67,16 @@ void compare_sign(Rows& rows) {
 
 // At 0.25, 0.5, 1 and 2 m, by hand: V'' = -0.5/d^2 + 0.5/d^3 along, C/d = 0.5/d^2 - 0.25/d^3 across.
 void compare_hessian(Rows& rows) {
-  const struct { double d, along, across; } points[] = {
-      {.d = 0.25, .along = 24.0, .across = -8.0},
-      {.d = 0.5, .along = 2.0, .across = 0.0},
-      {.d = 1.0, .along = 0.0, .across = 0.25},
-      {.d = 2.0, .along = -0.0625, .across = 0.09375}};
+  const struct {
+    double d, along, across;
+  } points[] = {{.d = 0.25, .along = 24.0, .across = -8.0},
+                {.d = 0.5, .along = 2.0, .across = 0.0},
+                {.d = 1.0, .along = 0.0, .across = 0.25},
+                {.d = 2.0, .along = -0.0625, .across = 0.09375}};
   const Eigen::Vector3d across{3.0 / 7.0, -6.0 / 7.0, 2.0 / 7.0};
-  const char* const because = "differences over h = 0.01 d of energies rounded to 1e-16 carry 4e-16/(0.01 d)^2, "
-                              "6e-11 at 0.25 m; truncation is below 1e-12";
+  const char* const because =
+      "differences over h = 0.01 d of energies rounded to 1e-16 carry 4e-16/(0.01 d)^2, "
+      "6e-11 at 0.25 m; truncation is below 1e-12";
   for (const auto& at : points) {
     const std::string where = fmt::format(" [N/m], d = {} m", at.d);
     const auto compare = [&](const std::string& what, double expected, double computed, Tolerance tolerance,
@@ -84,7 +85,8 @@ void compare_hessian(Rows& rows) {
                    {.expected = expected, .computed = computed, .tolerance = tolerance, .because = reason});
     };
     compare("normal_stiffness", at.along, normal_stiffness(book, at.d), absolute(1e-14), "a few roundings of up to 32");
-    compare("transverse_stiffness", at.across, transverse_stiffness(book, at.d), absolute(1e-14), "a few roundings of up to 16");
+    compare("transverse_stiffness", at.across, transverse_stiffness(book, at.d), absolute(1e-14),
+            "a few roundings of up to 16");
     compare("energy's curvature along", at.along, stiffness(book, at.d, slanted()), absolute(2e-10), because);
     compare("energy's curvature across", at.across, stiffness(book, at.d, across), absolute(2e-10), because);
   }
@@ -104,7 +106,8 @@ int sign_changes(const kinematics::CentralForce& law) {
 
 const Case equilibrium{
     {.name = "equilibrium",
-     .claim = "a pair balances at d_e, stable along the line of centres iff beta2 > beta1, neutral across it at d_e only",
+     .claim =
+         "a pair balances at d_e, stable along the line of centres iff beta2 > beta1, neutral across it at d_e only",
      .equation = "M 1.36",
      .reference = Reference::closed_form},
     [](Rows& rows) {

@@ -10,14 +10,15 @@ namespace verification {
 
 /// Pulls every particle towards a fixed place, as in section 1.2 of the monograph.
 struct FixedCentre {
-  Eigen::Vector3d place;                          ///< [m]
-  particulate::kinematics::CentralForce law;      ///< the same for every particle
+  Eigen::Vector3d place;                      ///< [m]
+  particulate::kinematics::CentralForce law;  ///< the same for every particle
 };
 
 inline bool add_force(const FixedCentre& centre, const particulate::kinematics::Open&,
                       const particulate::contact::Places& at, particulate::contact::Forces force) {
   for (Eigen::Index i = 0; i < at.mass.size(); ++i) {
-    force.row(i) += particulate::kinematics::force(centre.law, at.position.row(i).transpose(), centre.place).transpose();
+    force.row(i) +=
+        particulate::kinematics::force(centre.law, at.position.row(i).transpose(), centre.place).transpose();
   }
   return force.allFinite();
 }

@@ -27,12 +27,16 @@ const Case impulse_momentum{
     [](Rows& rows) {
       const SampledMotion fine = sampled_motion(rows.case_seed(), 8192);
       const SumErrors seen = errors_of_sums(fine, [&](std::size_t stride) { return error_of_impulse(fine, stride); });
-      rows.order("impulses against m (v_2 - v_1)", {.nominal = 2.0,
-                                                    .steps = seen.steps,
-                                                    .errors = seen.errors,
-                                                    .floor = 1e-13,
-                                                    .because = "the trapezoidal rule in time; RK4's own error is below 1e-12"});
-      rows.at_most("impulses against m (v_2 - v_1), 4096 pieces", {.limit = 1e-5, .computed = seen.errors.back(), .because = "order 2 from below 1e-2 at 128 pieces: 32^2 times less"});
+      rows.order("impulses against m (v_2 - v_1)",
+                 {.nominal = 2.0,
+                  .steps = seen.steps,
+                  .errors = seen.errors,
+                  .floor = 1e-13,
+                  .because = "the trapezoidal rule in time; RK4's own error is below 1e-12"});
+      rows.at_most("impulses against m (v_2 - v_1), 4096 pieces",
+                   {.limit = 1e-5,
+                    .computed = seen.errors.back(),
+                    .because = "order 2 from below 1e-2 at 128 pieces: 32^2 times less"});
     }};
 
 }  // namespace

@@ -27,7 +27,8 @@ Expected by_pairs(const kinematics::Particles& of) {
     M += m_i;
     G += m_i * v_i;
     total += 0.5L * m_i * v_i.squaredNorm();
-    for (Eigen::Index j = 0; j < i; ++j) relative += m_i * of.mass[j] * (v_i - of.velocity.row(j).cast<long double>()).squaredNorm();
+    for (Eigen::Index j = 0; j < i; ++j)
+      relative += m_i * of.mass[j] * (v_i - of.velocity.row(j).cast<long double>()).squaredNorm();
   }
   return {.bulk = static_cast<double>(0.5L * (G / M).squaredNorm()),
           .relative = static_cast<double>(0.5L * relative / (M * M)),
@@ -38,14 +39,18 @@ void compare(Rows& rows, const kinematics::Particles& of, const std::string& whi
   const Expected expected = by_pairs(of);
   const kinematics::KineticEnergy computed = kinematics::split_kinetic_energy(of.mass, of.velocity);
   const char* const because = "sums over N = 200 particles rounded to eps/2 each, squared";
-  rows.compare("bulk [J/kg]" + which, {.expected = expected.bulk, .computed = computed.bulk, .tolerance = relative(4e-14), .because = because});
+  rows.compare(
+      "bulk [J/kg]" + which,
+      {.expected = expected.bulk, .computed = computed.bulk, .tolerance = relative(4e-14), .because = because});
   rows.compare("relative [J/kg]" + which,
                {.expected = expected.relative,
                 .computed = computed.relative,
                 .tolerance = mixed(4e-14, 1e-15 * shift),
                 .because = "as bulk; velocities rounded to eps/2 of the shift, times relative speeds below 1 m/s"});
-  rows.compare("bulk + relative [J/kg]" + which,
-               {.expected = expected.total, .computed = computed.bulk + computed.relative, .tolerance = relative(4e-14), .because = because});
+  rows.compare("bulk + relative [J/kg]" + which, {.expected = expected.total,
+                                                  .computed = computed.bulk + computed.relative,
+                                                  .tolerance = relative(4e-14),
+                                                  .because = because});
   rows.compare("T [J]" + which, {.expected = expected.total * of.mass.sum(),
                                  .computed = kinematics::kinetic_energy(of.mass, of.velocity),
                                  .tolerance = relative(4e-14),
@@ -67,11 +72,12 @@ const Case kinetic_energy_split{
         seen.velocity.rowwise() += shift * slanted().transpose();
         const std::string which = fmt::format(", seen at {} m/s", shift);
         compare(rows, seen, which, shift);
-        rows.compare("relative as before [J/kg]" + which,
-                     {.expected = before,
-                      .computed = kinematics::split_kinetic_energy(seen.mass, seen.velocity).relative,
-                      .tolerance = absolute(1e-15 * shift),
-                      .because = "each shifted velocity is rounded to eps/2 of the shift, times relative speeds below 1 m/s"});
+        rows.compare(
+            "relative as before [J/kg]" + which,
+            {.expected = before,
+             .computed = kinematics::split_kinetic_energy(seen.mass, seen.velocity).relative,
+             .tolerance = absolute(1e-15 * shift),
+             .because = "each shifted velocity is rounded to eps/2 of the shift, times relative speeds below 1 m/s"});
       }
     }};
 

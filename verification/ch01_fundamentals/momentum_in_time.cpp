@@ -49,14 +49,16 @@ std::vector<double> angular_drifts(const std::vector<double>& steps) {
   for (const double step : steps) {
     schemes::Motion state = scenes::start(scene);
     advance<schemes::RungeKutta4>(scene, state, t_end, std::lround(t_end / step));
-    drifts.push_back((kinematics::angular_momentum(start.mass, rows_of(state.r), rows_of(state.v)) - H).norm() / H.norm());
+    drifts.push_back((kinematics::angular_momentum(start.mass, rows_of(state.r), rows_of(state.v)) - H).norm() /
+                     H.norm());
   }
   return drifts;
 }
 
 const Case momentum_in_time{
     {.name = "momentum_in_time",
-     .claim = "near fields keep linear momentum to rounding under any scheme, and angular momentum to rounding under Verlet, to its order under RK4",
+     .claim = "near fields keep linear momentum to rounding under any scheme, and angular momentum to rounding under "
+              "Verlet, to its order under RK4",
      .equation = "M 1.39",
      .reference = Reference::identity},
     [](Rows& rows) {
@@ -64,14 +66,17 @@ const Case momentum_in_time{
       const long steps = 1000;
       const Drift rk4 = drift<schemes::RungeKutta4>(scene, steps);
       const Drift verlet = drift<schemes::VelocityVerlet>(scene, steps);
-      const char* const because = "1000 steps, each rounding 60 velocities of a few times the start's by eps/2 = 1e-16, "
-                                  "add as a random walk to some 1e-14";
+      const char* const because =
+          "1000 steps, each rounding 60 velocities of a few times the start's by eps/2 = 1e-16, "
+          "add as a random walk to some 1e-14";
       rows.at_most("linear momentum over sum m|v|, RK4", {.limit = 5e-14, .computed = rk4.linear, .because = because});
-      rows.at_most("linear momentum over sum m|v|, velocity Verlet", {.limit = 5e-14, .computed = verlet.linear, .because = because});
-      rows.at_most("angular momentum over sum m|r||v|, velocity Verlet",
-                   {.limit = 5e-14,
-                    .computed = verlet.angular,
-                    .because = "each half of a Verlet step conserves it under central pair forces; roundings as above"});
+      rows.at_most("linear momentum over sum m|v|, velocity Verlet",
+                   {.limit = 5e-14, .computed = verlet.linear, .because = because});
+      rows.at_most(
+          "angular momentum over sum m|r||v|, velocity Verlet",
+          {.limit = 5e-14,
+           .computed = verlet.angular,
+           .because = "each half of a Verlet step conserves it under central pair forces; roundings as above"});
 
       std::vector<double> h;
       for (long n = 60; n <= 960; n *= 2) h.push_back(t_end / static_cast<double>(n));

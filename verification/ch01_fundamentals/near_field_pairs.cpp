@@ -50,7 +50,8 @@ long double integral(long double beta, long double d, long double d_ref) {
   return (std::pow(d, 1.0L - beta) - std::pow(d_ref, 1.0L - beta)) / (1.0L - beta);
 }
 
-void add_pair(Expected& sum, const contact::NearField& law, const kinematics::Particles& of, Eigen::Index i, Eigen::Index j) {
+void add_pair(Expected& sum, const contact::NearField& law, const kinematics::Particles& of, Eigen::Index i,
+              Eigen::Index j) {
   const Eigen::Matrix<long double, 1, 3> r_i = of.position.row(i).cast<long double>();
   const Eigen::Matrix<long double, 1, 3> r_j = of.position.row(j).cast<long double>();
   const long double d = (r_j - r_i).norm();
@@ -67,7 +68,8 @@ void add_pair(Expected& sum, const contact::NearField& law, const kinematics::Pa
 }
 
 Expected expected(const contact::NearField& law, const kinematics::Particles& of) {
-  Expected sum{.force = Extended::Zero(of.size(), 3), .size = Eigen::Matrix<long double, Eigen::Dynamic, 1>::Zero(of.size())};
+  Expected sum{.force = Extended::Zero(of.size(), 3),
+               .size = Eigen::Matrix<long double, Eigen::Dynamic, 1>::Zero(of.size())};
   for (Eigen::Index i = 0; i < of.size(); ++i) {
     for (Eigen::Index j = 0; j < of.size(); ++j) {
       if (i != j) add_pair(sum, law, of, i, j);
@@ -94,10 +96,13 @@ void compare_domain(Rows& rows, const std::string& which, const Domain& domain, 
   acceleration.array() *= cloud.mass.replicate(3, 1).array();
   const char* const because = "13 roundings of a power and a few more, then N sums rounded to eps/2 each";
   rows.at_most("forces" + which, {.limit = limit, .computed = error_of_forces(expected, force), .because = because});
-  rows.at_most("m times accelerations" + which, {.limit = limit, .computed = error_of_forces(expected, acceleration), .because = because});
-  const double energy_error = static_cast<double>(std::abs(scene.potential_energy(start) - expected.energy) / expected.energy_size);
-  rows.at_most("potential energy" + which,
-               {.limit = limit, .computed = energy_error, .because = "as the forces, summed over pairs: fewer eps of their sizes"});
+  rows.at_most("m times accelerations" + which,
+               {.limit = limit, .computed = error_of_forces(expected, acceleration), .because = because});
+  const double energy_error =
+      static_cast<double>(std::abs(scene.potential_energy(start) - expected.energy) / expected.energy_size);
+  rows.at_most("potential energy" + which, {.limit = limit,
+                                            .computed = energy_error,
+                                            .because = "as the forces, summed over pairs: fewer eps of their sizes"});
 }
 
 void compare(Rows& rows, const contact::NearField& law, Eigen::Index N, const std::string& scaling) {
@@ -111,7 +116,8 @@ void compare(Rows& rows, const contact::NearField& law, Eigen::Index N, const st
 
 // A law adds to what is there: twice the same forces are twice the forces.
 double error_of_adding(const contact::NearField& law, const kinematics::Particles& cloud) {
-  const contact::Places at{.t = 0.0, .position{cloud.position.data(), cloud.size(), 3}, .mass = cloud.mass, .radius = cloud.radius};
+  const contact::Places at{
+      .t = 0.0, .position{cloud.position.data(), cloud.size(), 3}, .mass = cloud.mass, .radius = cloud.radius};
   Eigen::VectorXd once = Eigen::VectorXd::Zero(3 * cloud.size());
   Eigen::VectorXd onto = Eigen::VectorXd::Constant(3 * cloud.size(), 1.0);
   const bool had_values = add_force(law, kinematics::Open{}, at, contact::Forces(once.data(), cloud.size(), 3)) &&
@@ -133,7 +139,8 @@ const Case near_field_pairs{
       }
       compare(rows, {.alpha1 = 1.0, .alpha2 = 0.5, .beta1 = 2.0, .beta2 = 3.0, .d_ref = 0.7}, 40, "mass");
       compare(rows, {.alpha1 = 1.0, .alpha2 = 0.5, .beta1 = 0.0, .beta2 = 13.0, .scaling = Scaling::pair}, 40, "pair");
-      compare(rows, {.alpha1 = 1.0, .alpha2 = 0.3, .beta1 = 0.7, .beta2 = 2.6, .d_ref = 2.0, .scaling = Scaling::area}, 40, "area");
+      compare(rows, {.alpha1 = 1.0, .alpha2 = 0.3, .beta1 = 0.7, .beta2 = 2.6, .d_ref = 2.0, .scaling = Scaling::area},
+              40, "area");
       compare(rows, {.alpha1 = 1.0, .alpha2 = 0.3, .beta1 = 1.5, .beta2 = 4.5, .scaling = Scaling::pair}, 40, "pair");
       const kinematics::Particles cloud = random_cloud({.N = 40}, rows.case_seed());
       rows.at_most("adding to forces of 1 N, error [N]",

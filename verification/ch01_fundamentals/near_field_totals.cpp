@@ -45,10 +45,12 @@ const Case near_field_totals{
         for (const contact::NearField& law : laws) {
           const Totals seen = totals(cloud, law);
           const std::string which = fmt::format(", N = {}, beta = ({}, {})", N, law.beta1, law.beta2);
-          const char* const because = "each particle's force is a sum of N - 1 terms, every sum rounded to eps/2; "
-                                      "masses over twelve decades";
+          const char* const because =
+              "each particle's force is a sum of N - 1 terms, every sum rounded to eps/2; "
+              "masses over twelve decades";
           rows.at_most("|sum Psi| / sum |Psi|" + which, {.limit = limit, .computed = seen.force, .because = because});
-          rows.at_most("|sum r x Psi| / sum |r||Psi|" + which, {.limit = limit, .computed = seen.moment, .because = because});
+          rows.at_most("|sum r x Psi| / sum |r||Psi|" + which,
+                       {.limit = limit, .computed = seen.moment, .because = because});
         }
       }
     }};

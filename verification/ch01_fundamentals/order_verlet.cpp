@@ -15,7 +15,8 @@ const Case order_verlet{{.name = "order_verlet",
                          .reference = Reference::convergence},
                         [](Rows& rows) {
                           compare_order<particulate::schemes::VelocityVerlet>(
-                              rows, 480, "a symmetric method of order 2, at no multiple of the period, where it would gain");
+                              rows, 480,
+                              "a symmetric method of order 2, at no multiple of the period, where it would gain");
                         }};
 
 }  // namespace

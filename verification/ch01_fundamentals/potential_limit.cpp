@@ -1,7 +1,7 @@
 // The potential's difference joins smoothly where an exponent passes through 1.
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <fmt/format.h>
+#include <boost/multiprecision/cpp_bin_float.hpp>
 
 #include <harness/case.hpp>
 #include <particulate/kinematics/central_force.hpp>

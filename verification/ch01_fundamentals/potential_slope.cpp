@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <fmt/format.h>
+#include <boost/math/quadrature/gauss_kronrod.hpp>
 
 #include <harness/case.hpp>
 #include <particulate/kinematics/central_force.hpp>
@@ -35,8 +35,7 @@ Errors errors_at(const kinematics::CentralForce& law, double d) {
   const auto [attraction, repulsion] = parts(law, d);
   const double expected = static_cast<double>(attraction - repulsion);
   const double scale = static_cast<double>(attraction + repulsion);
-  const double measured =
-      slope_at_zero([&](double x) { return potential(law, d + x, 0.9 * d); }, 2e-3 * d);
+  const double measured = slope_at_zero([&](double x) { return potential(law, d + x, 0.9 * d); }, 2e-3 * d);
   return {.strength = std::abs(strength(law, d) - expected) / scale, .slope = std::abs(measured - expected) / scale};
 }
 
@@ -50,7 +49,8 @@ double error_of_integral(const kinematics::CentralForce& law, double d, double d
       const auto [attraction, repulsion] = parts(law, x);
       return x * (attraction + sign * repulsion);
     };
-    return Rule::integrate(f, std::log(static_cast<long double>(d_ref)), std::log(static_cast<long double>(d)), 2u, 1e-16L);
+    return Rule::integrate(f, std::log(static_cast<long double>(d_ref)), std::log(static_cast<long double>(d)), 2u,
+                           1e-16L);
   };
   const long double expected = integral(-1.0);
   const long double scale = std::abs(integral(1.0));
@@ -85,21 +85,24 @@ const Case potential_slope{
                                                {.alpha1 = 2.0, .alpha2 = 0.0, .beta1 = 12.5, .beta2 = 1.0}};
       for (const kinematics::CentralForce& law : laws) {
         const Errors worst = worst_errors(law);
-        const std::string which = fmt::format("alpha = ({}, {}), beta = ({}, {})", law.alpha1, law.alpha2, law.beta1, law.beta2);
-        rows.at_most("strength C, " + which,
-                     {.limit = 4e-15,
-                      .computed = worst.strength,
-                      .because = "1/d is rounded and raised to the power 13 at most: 13/2 eps, and as much for products"});
+        const std::string which =
+            fmt::format("alpha = ({}, {}), beta = ({}, {})", law.alpha1, law.alpha2, law.beta1, law.beta2);
+        rows.at_most(
+            "strength C, " + which,
+            {.limit = 4e-15,
+             .computed = worst.strength,
+             .because = "1/d is rounded and raised to the power 13 at most: 13/2 eps, and as much for products"});
         rows.at_most("slope of V, " + which,
                      {.limit = 2e-12,
                       .computed = worst.slope,
                       .because = "V is of the size of C d, rounded in expm1's argument to 2 eps: over h = 0.002 d that "
                                  "leaves 4e-13"});
-        rows.at_most("integral of C, " + which,
-                     {.limit = 2e-14,
-                      .computed = worst.integral,
-                      .because = "(1 - beta) ln(d/d_ref) reaches 12 ln 40 = 44 and is rounded to eps/2 of itself, twice: "
-                                 "44 eps = 1e-14 in V"});
+        rows.at_most(
+            "integral of C, " + which,
+            {.limit = 2e-14,
+             .computed = worst.integral,
+             .because = "(1 - beta) ln(d/d_ref) reaches 12 ln 40 = 44 and is rounded to eps/2 of itself, twice: "
+                        "44 eps = 1e-14 in V"});
       }
     }};
 

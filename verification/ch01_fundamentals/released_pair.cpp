@@ -22,13 +22,10 @@ constexpr double d_min = 0.34980807456;
 constexpr double period = 3.396184587;
 constexpr double released_at = 0.75;
 
-const ReleasedPair by_energy{.law = {.alpha1 = 0.5, .alpha2 = 0.25, .beta1 = 1.0, .beta2 = 2.0},
-                             .reduced_mass = 0.5L,
-                             .start = released_at};
+const ReleasedPair by_energy{
+    .law = {.alpha1 = 0.5, .alpha2 = 0.25, .beta1 = 1.0, .beta2 = 2.0}, .reduced_mass = 0.5L, .start = released_at};
 
-NearFieldScene released() {
-  return {pair_at_rest(1.0, 1.0, released_at), {}, {.alpha1 = 0.5, .alpha2 = 0.25}};
-}
+NearFieldScene released() { return {pair_at_rest(1.0, 1.0, released_at), {}, {.alpha1 = 0.5, .alpha2 = 0.25}}; }
 
 // How near the pair came, and the moment at which it is back.
 struct Found {
@@ -57,18 +54,22 @@ Found by_adams() {
 void compare(Rows& rows, const std::string& method, const Found& found, double tolerance, const std::string& because) {
   rows.compare("d_min by " + method + " [m]",
                {.expected = d_min, .computed = found.nearest, .tolerance = absolute(tolerance), .because = because});
-  rows.compare("period by " + method + " [s]",
-               {.expected = period, .computed = found.period, .tolerance = absolute(std::max(tolerance, 6e-10)), .because = because});
+  rows.compare("period by " + method + " [s]", {.expected = period,
+                                                .computed = found.period,
+                                                .tolerance = absolute(std::max(tolerance, 6e-10)),
+                                                .because = because});
 }
 
 const Case released_pair{
     {.name = "released_pair",
-     .claim = "unit masses with alpha = (0.5, 0.25), beta = (1, 2), released at rest at 0.75 m, come as near and take as long as energy says",
+     .claim = "unit masses with alpha = (0.5, 0.25), beta = (1, 2), released at rest at 0.75 m, come as near and take "
+              "as long as energy says",
      .equation = "M 1.33",
      .reference = Reference::independent_method},
     [](Rows& rows) {
       const long double near = by_energy.nearest(0.3L, 0.5L);
-      const Found quadrature{.nearest = static_cast<double>(near), .period = static_cast<double>(by_energy.period(near, 64))};
+      const Found quadrature{.nearest = static_cast<double>(near),
+                             .period = static_cast<double>(by_energy.period(near, 64))};
       compare(rows, "quadrature", quadrature, 6e-12, "the reference has 11 decimals of d_min and 9 of the period");
       rows.compare("quadrature with twice the points [s]",
                    {.expected = static_cast<double>(by_energy.period(near, 128)),

@@ -28,9 +28,9 @@ struct SampledMotion {
 /// The motion of a cloud of 20 by RK4.
 inline SampledMotion sampled_motion(std::uint64_t seed, long steps) {
   using namespace particulate;
-  scenes::Scene scene(random_cloud({.N = 20}, seed), kinematics::Open{},
-                      contact::NearField{.alpha1 = 0.1, .alpha2 = 0.05},
-                      FixedCentre{.place{0.4, 2.0, -1.0}, .law{.alpha1 = 2.0, .alpha2 = 0.1, .beta1 = 0.5, .beta2 = 1.5}});
+  scenes::Scene scene(
+      random_cloud({.N = 20}, seed), kinematics::Open{}, contact::NearField{.alpha1 = 0.1, .alpha2 = 0.05},
+      FixedCentre{.place{0.4, 2.0, -1.0}, .law{.alpha1 = 2.0, .alpha2 = 0.1, .beta1 = 0.5, .beta2 = 1.5}});
   SampledMotion fine;
   fine.mass = scene.particles().mass;
   Eigen::VectorXd flat(3 * fine.mass.size());

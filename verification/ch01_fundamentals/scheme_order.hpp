@@ -29,8 +29,10 @@ void compare_order(Rows& rows, long coarsest, const std::string& because) {
     velocities.push_back(errors.velocity);
   }
   constexpr double floor = 1e-15;
-  rows.order("positions", {.nominal = S::order, .steps = steps, .errors = positions, .floor = floor, .because = because});
-  rows.order("velocities", {.nominal = S::order, .steps = steps, .errors = velocities, .floor = floor, .because = because});
+  rows.order("positions",
+             {.nominal = S::order, .steps = steps, .errors = positions, .floor = floor, .because = because});
+  rows.order("velocities",
+             {.nominal = S::order, .steps = steps, .errors = velocities, .floor = floor, .because = because});
 }
 
 }  // namespace verification

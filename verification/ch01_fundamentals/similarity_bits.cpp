@@ -20,8 +20,8 @@ using namespace particulate;
 using namespace verification;
 
 struct Difference {
-  long differing = 0;     // components that are not the scaled ones to the last bit
-  double deviation = 0.0; // largest difference over the largest component
+  long differing = 0;      // components that are not the scaled ones to the last bit
+  double deviation = 0.0;  // largest difference over the largest component
 };
 
 contact::NearField near_field(const kinematics::CentralForce& law) {
@@ -38,13 +38,14 @@ schemes::Motion moved(const kinematics::Particles& start, const kinematics::Cent
 
 void look(Difference& seen, const Eigen::VectorXd& expected, const Eigen::VectorXd& computed) {
   seen.differing += (expected.array() != computed.array()).count();
-  seen.deviation = std::max(seen.deviation, (expected - computed).lpNorm<Eigen::Infinity>() / expected.lpNorm<Eigen::Infinity>());
+  seen.deviation =
+      std::max(seen.deviation, (expected - computed).lpNorm<Eigen::Infinity>() / expected.lpNorm<Eigen::Infinity>());
 }
 
 // The start is scaled before the run, the result of the plain start after it.
 template <class S>
-Difference compare(const kinematics::Particles& start, const kinematics::CentralForce& law, const kinematics::CentralForce& scaled_law,
-                    const kinematics::Scales& scales, double t_end) {
+Difference compare(const kinematics::Particles& start, const kinematics::CentralForce& law,
+                   const kinematics::CentralForce& scaled_law, const kinematics::Scales& scales, double t_end) {
   const schemes::Motion plain = moved<S>(start, law, t_end);
   const schemes::Motion other = moved<S>(kinematics::scaled(start, scales), scaled_law, t_end * scales.time);
   Difference seen;
@@ -69,12 +70,17 @@ const Case similarity_bits{
       for (const kinematics::CentralForce& law : whole) {
         for (const kinematics::Scales& by : scales) {
           const auto with = scaled(law, by);
-          const std::string where = fmt::format("beta = ({}, {}), L = {}, tau = {}, M = {}", law.beta1, law.beta2, by.length, by.time, by.mass);
+          const std::string where = fmt::format("beta = ({}, {}), L = {}, tau = {}, M = {}", law.beta1, law.beta2,
+                                                by.length, by.time, by.mass);
           const char* const because = "scaling by powers of two commutes with every rounding";
           rows.equal("components that differ, RK4, " + where,
-                     {.expected = 0, .computed = compare<schemes::RungeKutta4>(start, law, with, by, 1.0).differing, .because = because});
+                     {.expected = 0,
+                      .computed = compare<schemes::RungeKutta4>(start, law, with, by, 1.0).differing,
+                      .because = because});
           rows.equal("components that differ, Verlet, " + where,
-                     {.expected = 0, .computed = compare<schemes::VelocityVerlet>(start, law, with, by, 1.0).differing, .because = because});
+                     {.expected = 0,
+                      .computed = compare<schemes::VelocityVerlet>(start, law, with, by, 1.0).differing,
+                      .because = because});
         }
       }
 
@@ -90,7 +96,8 @@ const Case similarity_bits{
       wrong.alpha2 *= 1.0 + 1e-12;
       rows.at_least("components that differ if alpha2 is off by 1e-12",
                     {.limit = 60.0,
-                     .computed = static_cast<double>(compare<schemes::RungeKutta4>(start, whole[0], wrong, scales[0], 1.0).differing),
+                     .computed = static_cast<double>(
+                         compare<schemes::RungeKutta4>(start, whole[0], wrong, scales[0], 1.0).differing),
                      .because = "half of the 120 components: else equal bits would prove nothing"});
     }};
 

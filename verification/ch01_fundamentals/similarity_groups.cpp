@@ -19,14 +19,18 @@ const kinematics::Dimensional scene{.law = {.alpha1 = 0.5, .alpha2 = 0.25, .beta
 void compare(Rows& rows, const std::string& which, const kinematics::SimilarityGroups& computed, double tolerance,
              const std::string& because) {
   // L = 4, tau = 3: pi_1 = 0.5 * 2 * 9 / 4^2, pi_2 = 0.25 * 2 * 9 / 4^3.5, 1.5 * 3/4, 0.2/4, 0.06/3.
-  const struct { const char* name; double expected, got; } groups[] = {{"pi_1", 0.5625, computed.attraction},
-                                                                       {"pi_2", 0.03515625, computed.repulsion},
-                                                                       {"v tau/L", 1.125, computed.speed},
-                                                                       {"b/L", 0.05, computed.radius},
-                                                                       {"Dt/tau", 0.02, computed.step}};
+  const struct {
+    const char* name;
+    double expected, got;
+  } groups[] = {{"pi_1", 0.5625, computed.attraction},
+                {"pi_2", 0.03515625, computed.repulsion},
+                {"v tau/L", 1.125, computed.speed},
+                {"b/L", 0.05, computed.radius},
+                {"Dt/tau", 0.02, computed.step}};
   for (const auto& group : groups) {
-    rows.compare(std::string(group.name) + which,
-                 {.expected = group.expected, .computed = group.got, .tolerance = relative(tolerance), .because = because});
+    rows.compare(
+        std::string(group.name) + which,
+        {.expected = group.expected, .computed = group.got, .tolerance = relative(tolerance), .because = because});
   }
 }
 

@@ -24,7 +24,8 @@ double measured_period(double amplitude) {
 // T(A) = T(0) + c2 A^2 + c3 A^3 + c4 A^4 + ...: a release on one side leaves odd powers. Amplitudes halve.
 double extrapolated(std::vector<double> periods) {
   for (double weight = 4.0; periods.size() > 1; weight *= 2.0) {
-    for (std::size_t k = 0; k + 1 < periods.size(); ++k) periods[k] = periods[k + 1] + (periods[k + 1] - periods[k]) / (weight - 1.0);
+    for (std::size_t k = 0; k + 1 < periods.size(); ++k)
+      periods[k] = periods[k + 1] + (periods[k + 1] - periods[k]) / (weight - 1.0);
     periods.pop_back();
   }
   return periods.front();
@@ -46,9 +47,11 @@ const Case small_oscillation_period{
                                                     .computed = kinematics::small_oscillation_period(law, 1.0, 3.0),
                                                     .tolerance = relative(4e-16),
                                                     .because = "pi sqrt(3/2), four roundings"});
-      const std::vector<double> periods{measured_period(0.02), measured_period(0.01), measured_period(0.005), measured_period(0.0025)};
-      rows.at_least("lengthening at amplitude 0.02 m [s]",
-                    {.limit = 1e-4, .computed = periods[0] - std::numbers::pi, .because = "else nothing is extrapolated"});
+      const std::vector<double> periods{measured_period(0.02), measured_period(0.01), measured_period(0.005),
+                                        measured_period(0.0025)};
+      rows.at_least(
+          "lengthening at amplitude 0.02 m [s]",
+          {.limit = 1e-4, .computed = periods[0] - std::numbers::pi, .because = "else nothing is extrapolated"});
       rows.compare("measured period, amplitude to zero [s]",
                    {.expected = std::numbers::pi,
                     .computed = extrapolated(periods),

@@ -45,10 +45,10 @@ inline particulate::kinematics::Particles pair_at_rest(double m_i, double m_j, d
 
 /// What a cloud is made of.
 struct Cloud {
-  Eigen::Index N = 20;    ///< particles [-]
-  double spacing = 1.0;   ///< of the lattice from which they are moved by up to a quarter [m]
-  double speed = 0.2;     ///< largest velocity component [m/s]
-  double decades = 0.3;   ///< masses are 10^x, x uniform in [-decades, decades] [-]
+  Eigen::Index N = 20;   ///< particles [-]
+  double spacing = 1.0;  ///< of the lattice from which they are moved by up to a quarter [m]
+  double speed = 0.2;    ///< largest velocity component [m/s]
+  double decades = 0.3;  ///< masses are 10^x, x uniform in [-decades, decades] [-]
 };
 
 /// Particles near the points of a cubic lattice, no two nearer than half a spacing, everything else at random.

@@ -62,10 +62,10 @@ class Integrator {
   Integrator(P& problem, const schemes::Motion& start, const Method& method)
       : Integrator(rate_of(problem, start), checked_form(start), method) {}
 
-  Integrator(Integrator&&) noexcept;             ///< What was moved from can only be destroyed or assigned to.
+  Integrator(Integrator&&) noexcept;  ///< What was moved from can only be destroyed or assigned to.
   /// Takes over what another integrator holds. @return this integrator
   Integrator& operator=(Integrator&&) noexcept;
-  ~Integrator();                                 ///< Returns what SUNDIALS holds.
+  ~Integrator();  ///< Returns what SUNDIALS holds.
 
   /// Advances a state to t_end, which a step meets without interpolation.
   ///

@@ -26,7 +26,7 @@ Progress::Surroundings terminal() {
 
 std::string duration(double seconds) {
   if (!(seconds < 360000.0)) return "more than 100 h";
-  const int whole = static_cast<int>(seconds + 0.5);
+  const int whole = static_cast<int>(std::lround(seconds));
   if (whole < 60) return fmt::format("{} s", whole);
   if (whole < 3600) return fmt::format("{} min {:02} s", whole / 60, whole % 60);
   return fmt::format("{} h {:02} min", whole / 3600, whole / 60 % 60);
