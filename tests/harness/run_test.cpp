@@ -168,6 +168,7 @@ const std::vector<std::pair<std::string, std::string>> defects{
     {"rising_settings", "computed  rising\n"},
     {"without_ruler", "rulers, fixed steps of known slope\n"},
     {"wrong_slope", "slope of the error at the end against evaluations\n"},
+    {"slope_below_its_bound", "slope of the error at the end against evaluations\n"},
 };
 
 BOOST_AUTO_TEST_CASE(end_with_status_1_and_say_what_is_wrong) {

@@ -49,7 +49,7 @@ const Case energy_in_time{
      .reference = Reference::convergence},
     [](Rows& rows) {
       NearFieldScene pair(pair_at_rest(1.0, 1.0, 1.0), {}, {.alpha1 = 1.0, .alpha2 = 0.5, .beta1 = 2.0, .beta2 = 3.0});
-      NearFieldScene cloud(random_cloud({.N = 20}, rows.case_seed()), {}, {.alpha1 = 0.5, .alpha2 = 0.25});
+      NearFieldScene cloud(random_cloud({.N = 20}, smooth), {}, {.alpha1 = 0.5, .alpha2 = 0.25});
       const auto compare = [&]<class S>(const std::string& what, S, NearFieldScene& scene, double t_end, long coarsest,
                                         double nominal, const char* because) {
         const std::vector<double> steps = halved(t_end, coarsest, 5);

@@ -25,7 +25,7 @@ const Case impulse_momentum{
      .equation = "M 1.38",
      .reference = Reference::convergence},
     [](Rows& rows) {
-      const SampledMotion fine = sampled_motion(rows.case_seed(), 8192);
+      const SampledMotion fine = sampled_motion(smooth, 8192);
       const SumErrors seen = errors_of_sums(fine, [&](std::size_t stride) { return error_of_impulse(fine, stride); });
       rows.order("impulses against m (v_2 - v_1)",
                  {.nominal = 2.0,

@@ -56,7 +56,7 @@ void compare_scheme(Rows& rows, const std::string& what, NearFieldScene& scene, 
 }
 
 void compare(Rows& rows, const contact::NearField& law) {
-  NearFieldScene scene(random_cloud({.N = 20}, rows.case_seed()), {}, law);
+  NearFieldScene scene(random_cloud({.N = 20}, smooth), {}, law);
   const schemes::Motion judge = by_reference(scene, fehlberg);
   const std::string which = fmt::format(" against ARKODE Fehlberg, beta = ({}, {})", law.beta1, law.beta2);
   const char* const because =
@@ -70,7 +70,7 @@ void compare(Rows& rows, const contact::NearField& law) {
   rows.at_most(
       "ARKODE Dormand-Prince" + which,
       {.limit = 1e-10, .computed = difference(by_reference(scene, dormand_prince), judge), .because = because});
-  compare_scheme<schemes::RungeKutta4>(rows, "RK4" + which, scene, judge, 2000, 1e-6);
+  compare_scheme<schemes::RungeKutta4>(rows, "RK4" + which, scene, judge, 4000, 1e-6);
   compare_scheme<schemes::VelocityVerlet>(rows, "velocity Verlet" + which, scene, judge, rows.quick() ? 10000 : 40000,
                                           1e-4);
 }

@@ -73,4 +73,8 @@ inline particulate::kinematics::Particles random_cloud(const Cloud& of, std::uin
   return cloud;
 }
 
+/// The seed of a cloud without a close encounter, for claims about orders and about agreement of integrators: they hold
+/// where steps resolve the motion, and a run's own seed must not decide whether they do.
+inline constexpr std::uint64_t smooth = 1;
+
 }  // namespace verification

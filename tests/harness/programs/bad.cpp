@@ -207,5 +207,11 @@ const Case wrong_slope = one("wrong_slope", [](Rows& rows) {
   measurement.competitors.front().slope = 5.0;
   rows.work_precision(measurement);
 });
+const Case slope_below_its_bound = one("slope_below_its_bound", [](Rows& rows) {
+  WorkPrecision measurement = ruler(sound);
+  measurement.competitors.front().slope = 5.0;
+  measurement.competitors.front().steeper = "errors may cancel";
+  rows.work_precision(measurement);
+});
 
 }  // namespace
