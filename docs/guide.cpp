@@ -370,7 +370,7 @@ std::vector<Diagram> diagrams_of(const Csv& work) {
 // Methods with an order of their own have a row that compares it: "<problem>, <method>: slope ...".
 void read_orders(Diagram& diagram, const Csv& rows) {
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (rows.at(i, "metric") != "order") continue;
+    if (!rows.at(i, "metric").starts_with("order")) continue;
     for (Curve& curve : diagram.curves) {
       if (!rows.at(i, "quantity").starts_with(fmt::format("{}, {}: ", diagram.problem, curve.method))) continue;
       curve.nominal = number_or_nan(rows.at(i, "expected"));

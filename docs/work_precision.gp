@@ -6,9 +6,9 @@ load style
 set logscale xy
 set format '10^{%L}'
 set xlabel 'largest error'
-set key outside right top width -2
+set key outside bottom center horizontal maxcols 2 samplen 3
 set xrange [left:right]
-set terminal svg size 860,420 dynamic enhanced font 'sans-serif,14' background '#ffffff' rounded
+set terminal svg size 720,560 dynamic enhanced font 'sans-serif,14' background '#ffffff' rounded
 if (shaded > left) {
   set object 1 rectangle from left, graph 0 to shaded, graph 1 behind fc rgb '#808080' fs transparent solid 0.18 noborder
 }

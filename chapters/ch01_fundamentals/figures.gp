@@ -8,7 +8,7 @@ set ylabel 'force towards the other [N]'
 set y2label 'potential [J]'
 set y2tics
 set border 11
-set key top right
+set key bottom right
 stats file('curves') skip 1 using 5 name 'V' nooutput
 set yrange [-1.2:1.4]
 set y2range [-0.6*V_max:0.7*V_max]
@@ -40,7 +40,7 @@ set autoscale
 unset key
 stats file('curves') skip 1 using 1:(abs($4)) name 'C' nooutput
 balance = C_pos_min_y
-set key top right
+set key center center
 set parametric
 set trange [0:2*pi]
 plot balance*cos(t), balance*sin(t) with lines lt 7 title 'balance', \
@@ -55,7 +55,7 @@ set multiplot layout 2,1
 set xlabel ''
 set ylabel 'separation [m]'
 set yrange [0:*]
-set key bottom right
+set key bottom center horizontal
 plot file('breathing') skip 1 using 1:2 with lines lt 7 lw 3 dt 1 title 'closed form', \
      '' skip 1 using 1:3 with points lt 1 title 'Runge-Kutta', \
      '' skip 1 using 1:4 with points lt 2 pt 4 title 'Verlet'
