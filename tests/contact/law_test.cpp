@@ -59,9 +59,11 @@ BOOST_AUTO_TEST_SUITE(Moving_)
 BOOST_AUTO_TEST_CASE(is_taken_by_a_law_that_asks_for_places_only) {
   const Vectors position{{1.0, 2.0, 3.0}}, velocity{{4.0, 5.0, 6.0}};
   const Eigen::VectorXd mass = Eigen::VectorXd::Constant(1, 2.0), radius = Eigen::VectorXd::Zero(1);
+  const Eigen::VectorXd inverse_mass = mass.cwiseInverse();
   const Moving at{
       {.t = 0.5, .position = Eigen::Map<const Vectors>(position.data(), 1, 3), .mass = mass, .radius = radius},
-      Eigen::Map<const Vectors>(velocity.data(), 1, 3)};
+      Eigen::Map<const Vectors>(velocity.data(), 1, 3),
+      inverse_mass};
   Vectors force = Vectors::Zero(1, 3);
   BOOST_TEST(add_force(Weight{}, Open{}, at, Forces(force.data(), 1, 3)));
   BOOST_TEST(add_force(Drag{}, Open{}, at, Forces(force.data(), 1, 3)));

@@ -2,9 +2,11 @@
 
 #include <limits>
 #include <stdexcept>
+#include <string>
 
 #include "close.hpp"
 
+using particulate::kinematics::inverse_masses;
 using particulate::kinematics::Particles;
 using particulate::kinematics::relative_motion;
 using particulate::kinematics::RelativeMotion;
@@ -81,6 +83,40 @@ BOOST_AUTO_TEST_CASE(names_the_particle_whose_radius_is_none) {
     BOOST_CHECK_EXCEPTION(validate(particles), std::invalid_argument, says("radii must be finite and not negative"));
     BOOST_CHECK_EXCEPTION(validate(particles), std::invalid_argument, says("m for particle 0"));
   }
+}
+
+BOOST_AUTO_TEST_CASE(wants_no_flag_or_one_a_particle) {
+  Particles particles = two_particles();
+  particles.immovable = {false, true};
+  BOOST_CHECK_NO_THROW(validate(particles));
+  for (const std::size_t flags : {1U, 3U}) {
+    particles.immovable.assign(flags, true);
+    BOOST_CHECK_EXCEPTION(
+        validate(particles), std::invalid_argument,
+        says("immovable must be empty or hold one entry a particle, got " + std::to_string(flags) + " for 2"));
+  }
+}
+
+// Its mass still scales the near field.
+BOOST_AUTO_TEST_CASE(wants_a_mass_of_what_is_immovable_too) {
+  Particles particles = two_particles();
+  particles.immovable = {true, true};
+  particles.mass[1] = infinity;
+  BOOST_CHECK_EXCEPTION(validate(particles), std::invalid_argument, says("masses must be positive and finite"));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(inverse_masses_)
+
+BOOST_AUTO_TEST_CASE(vanish_for_what_is_immovable) {
+  Particles particles = two_particles();
+  BOOST_TEST(close(inverse_masses(particles), Eigen::Vector2d(1.0, 0.5), {}));
+  particles.immovable = {true, false};
+  BOOST_TEST(close(inverse_masses(particles), Eigen::Vector2d(0.0, 0.5), {}));
+  particles.immovable = {false, true};
+  BOOST_TEST(close(inverse_masses(particles), Eigen::Vector2d(1.0, 0.0), {}));
+  BOOST_TEST(inverse_masses(Particles{}).size() == 0);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,33 +1,49 @@
 #include <particulate/scenes/scene.hpp>
 
+#include <algorithm>
 #include <limits>
 #include <stdexcept>
 
+#include <particulate/contact/contact.hpp>
 #include <particulate/contact/near_field.hpp>
 #include <particulate/kinematics/similarity.hpp>
+#include <particulate/scenes/gravity.hpp>
 #include <particulate/schemes/fixed_step.hpp>
 #include <particulate/schemes/integrate.hpp>
 #include <particulate/schemes/verlet.hpp>
 
 #include "close.hpp"
 
+using boost::test_tools::tolerance;
+using particulate::contact::ConstantRestitution;
+using particulate::contact::Contact;
 using particulate::contact::Forces;
+using particulate::contact::Friction;
 using particulate::contact::Moving;
 using particulate::contact::NearField;
 using particulate::contact::Places;
+using particulate::contact::Resolution;
+using particulate::contact::Restitution;
 using particulate::kinematics::CentralForce;
 using particulate::kinematics::Open;
 using particulate::kinematics::Particles;
 using particulate::kinematics::Scales;
 using particulate::kinematics::Vectors;
+using particulate::kinematics::Wall;
+using particulate::kinematics::Walled;
+using particulate::scenes::Gravity;
 using particulate::scenes::Scene;
 using particulate::scenes::start;
 using particulate::schemes::FixedStep;
 using particulate::schemes::integrate;
+using particulate::schemes::Jump;
+using particulate::schemes::Jumps;
 using particulate::schemes::Measures;
 using particulate::schemes::Motion;
 using particulate::schemes::MotionProblem;
+using particulate::schemes::Outcome;
 using particulate::schemes::PositionProblem;
+using particulate::schemes::Status;
 using particulate::schemes::VelocityVerlet;
 using tests::close;
 using tests::says;
@@ -52,7 +68,8 @@ void validate(const Weight& law) {
 struct Drag {
   double c;
 };
-bool add_force(const Drag& law, const Open&, const Moving& at, Forces force) {
+template <class D>
+bool add_force(const Drag& law, const D&, const Moving& at, Forces force) {
   force -= law.c * at.velocity;
   return true;
 }
@@ -68,6 +85,7 @@ concept HasPotential = requires(const S& scene, const Motion& state) {
 
 using Falling = Scene<Open, Weight>;
 using Dragged = Scene<Open, Weight, Drag>;
+using Colliding = Scene<Walled, Gravity, Contact<>>;
 
 static_assert(PositionProblem<Falling> && !MotionProblem<Falling> && !Falling::needs_velocity);
 static_assert(MotionProblem<Dragged> && !PositionProblem<Dragged> && Dragged::needs_velocity);
@@ -76,8 +94,14 @@ static_assert(PositionProblem<const Falling> && MotionProblem<const Dragged>, "a
 static_assert(PositionProblem<Scene<Open>>, "no law at all is a law of free flight");
 static_assert(Measures<Falling> && Measures<Dragged>);
 static_assert(HasPotential<Scene<Open>> && HasPotential<Falling> && HasPotential<Scene<Open, NearField, Weight>>);
+static_assert(HasPotential<Colliding>, "a contact stores no energy");
 static_assert(!HasPotential<Dragged> && !HasPotential<Scene<Open, Weight, Slab>>,
               "one law without a potential is enough");
+
+static_assert(Jumps<Colliding> && Jumps<const Colliding> && Colliding::has_impacts);
+static_assert(PositionProblem<Colliding>, "a contact asks for velocities after steps, not within them");
+static_assert(!Jumps<Falling> && !Jumps<Dragged> && !Falling::has_impacts, "a scene without contact does not jump");
+static_assert(MotionProblem<Scene<Open, Drag, Contact<Restitution, Friction>>>);
 
 Particles two_particles() {
   return {.position = Vectors{{1.0, 2.0, 3.0}, {3.0, 2.0, 3.0}},
@@ -90,6 +114,26 @@ Particles no_particles() { return {Vectors(0, 3), Vectors(0, 3), Eigen::VectorXd
 
 // At a distance of 2 it pulls with 6 (1/2 - 0.5/4) = 2.25.
 const NearField monograph{.alpha1 = 1.0, .alpha2 = 0.5, .beta1 = 1.0, .beta2 = 2.0};
+
+// A sphere of radius 0.5 and mass 2 whose centre lies h above the floor z = 0.
+Particles ball(double h, const Eigen::RowVector3d& velocity) {
+  return {.position = Vectors{{0.0, 0.0, h}},
+          .velocity = velocity,
+          .mass = Eigen::VectorXd::Constant(1, 2.0),
+          .radius = Eigen::VectorXd::Constant(1, 0.5)};
+}
+const Walled floor_at_zero{{Wall{}}};
+
+// Unit spheres in a row that touch, the first on its way to the others at 1 m/s.
+Particles cradle() {
+  Particles row{.position = Vectors::Zero(5, 3),
+                .velocity = Vectors::Zero(5, 3),
+                .mass = Eigen::VectorXd::Ones(5),
+                .radius = Eigen::VectorXd::Ones(5)};
+  row.position.col(0) = Eigen::VectorXd::LinSpaced(5, 0.0, 8.0);
+  row.velocity(0, 0) = 1.0;
+  return row;
+}
 
 template <class S>
 Eigen::VectorXd total_force(const S& scene) {
@@ -248,6 +292,238 @@ BOOST_AUTO_TEST_CASE(reads_positions_and_velocities_column_by_column) {
   BOOST_TEST(state.t == 0.0);
   BOOST_TEST(close(state.r, r, {}));
   BOOST_TEST(close(state.v, v, {}));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(immovable)
+
+// Without flags the near field would move them.
+BOOST_AUTO_TEST_CASE(particles_are_not_accelerated_but_pull_with_their_mass) {
+  Particles held = two_particles();
+  held.immovable = {true, false};
+  const Scene scene(held, Open{}, monograph, Drag{6.0});
+  Eigen::VectorXd a(6), expected(6), f(6);
+  BOOST_TEST(scene.acceleration(0.0, start(scene).r, start(scene).v, a));
+  expected << 0.0, -0.75, 0.0, -0.5, 0.0, -4.0;
+  BOOST_TEST(close(a, expected, {.relative = 1e-15}));
+  BOOST_TEST(scene.total_force(start(scene), f));
+  BOOST_TEST(f[0] == 2.25 - 3.0, tolerance(1e-15));
+}
+
+BOOST_AUTO_TEST_CASE(flags_are_checked) {
+  Particles held = two_particles();
+  held.immovable = {true};
+  BOOST_CHECK_EXCEPTION(Scene(held, Open{}), std::invalid_argument, says("immovable must be empty or hold one entry"));
+}
+
+// The second sphere overlaps an immovable first: at e = 0.5 it turns, and takes all the change of energy.
+BOOST_AUTO_TEST_CASE(particles_send_others_back) {
+  Particles held = two_particles();
+  held.position(1, 0) = 1.75;
+  held.velocity = Vectors{{0.0, 0.0, 0.0}, {-2.0, 1.0, 0.0}};
+  held.immovable = {true, false};
+  const Scene scene(held, Open{}, Contact{.restitution = ConstantRestitution{0.5}});
+  Motion state = start(scene);
+  const Jump jump = scene.jump(state, 0.1);
+  Eigen::VectorXd expected(6);
+  expected << 0.0, 1.0, 0.0, 1.0, 0.0, 0.0;
+  BOOST_TEST(close(state.v, expected, {}));
+  BOOST_TEST(jump.energy_change == 0.5 * 3.0 * (1.0 - 4.0), tolerance(1e-15));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(Walled_)
+
+BOOST_AUTO_TEST_CASE(domain_is_checked) {
+  const Walled crooked{{Wall{.normal = {0.0, 0.0, 2.0}}}};
+  BOOST_CHECK_EXCEPTION(Scene(ball(1.0, {0.0, 0.0, 0.0}), crooked, Gravity{}), std::invalid_argument,
+                        says("wall 0: its normal must be a unit vector, got (0, 0, 2) of length 2"));
+}
+
+BOOST_AUTO_TEST_CASE(domain_is_not_felt_by_near_fields) {
+  const Scene open(two_particles(), Open{}, monograph);
+  const Scene walled(two_particles(), floor_at_zero, monograph);
+  BOOST_TEST(close(total_force(open), total_force(walled), {}));
+  BOOST_TEST(open.potential_energy(start(open)) == walled.potential_energy(start(walled)));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(jump_)
+
+BOOST_AUTO_TEST_CASE(checks_its_law) {
+  BOOST_CHECK_EXCEPTION(Scene(two_particles(), Open{}, Contact{.restitution = ConstantRestitution{-0.5}}),
+                        std::invalid_argument, says("e must lie in [0, 1], got -0.5"));
+  BOOST_CHECK_EXCEPTION(Scene(two_particles(), Open{}, Contact{.gamma = 2.0}), std::invalid_argument,
+                        says("gamma must lie between 0 and 1, got 2"));
+}
+
+// The normal part of (1, 0, -2) turns at e = 0.5; a position does not change.
+BOOST_AUTO_TEST_CASE(bounces_off_a_wall) {
+  const Scene scene(ball(0.375, {1.0, 0.0, -2.0}), floor_at_zero, Contact{.restitution = ConstantRestitution{0.5}});
+  Motion state = start(scene);
+  const Jump jump = scene.jump(state, 0.1);
+  BOOST_TEST(close(state.v, Eigen::Vector3d(1.0, 0.0, 1.0), {}));
+  BOOST_TEST(close(state.r, start(scene).r, {}));
+  BOOST_TEST(jump.impacts == 1);
+  BOOST_TEST(jump.overlap == 0.125);
+  BOOST_TEST(jump.energy_change == -3.0);
+  BOOST_TEST(jump.evaluations == 1);
+  BOOST_TEST(jump.unsettled.empty());
+}
+
+// |J| = 2 1.5 2 = 6, so mu_d = 0.1 takes 0.6/2 m/s of the sliding.
+BOOST_AUTO_TEST_CASE(rubs_on_a_wall) {
+  const Contact law{.restitution = ConstantRestitution{0.5}, .friction = Friction{.mu_s = 0.1, .mu_d = 0.1}};
+  const Scene scene(ball(0.375, {1.0, 0.0, -2.0}), floor_at_zero, law);
+  Motion state = start(scene);
+  BOOST_TEST(scene.jump(state, 0.1).impacts == 1);
+  BOOST_TEST(close(state.v, Eigen::Vector3d(0.7, 0.0, 1.0), {.relative = 1e-15}));
+}
+
+BOOST_AUTO_TEST_CASE(turns_in_a_corner) {
+  const Walled corner{{Wall{}, Wall{.point = {-0.25, 0.0, 0.0}, .normal = {1.0, 0.0, 0.0}}}};
+  const Scene scene(ball(0.375, {-4.0, 3.0, -2.0}), corner, Contact{.restitution = ConstantRestitution{0.5}});
+  Motion state = start(scene);
+  const Jump jump = scene.jump(state, 0.1);
+  BOOST_TEST(close(state.v, Eigen::Vector3d(2.0, 3.0, 1.0), {}));
+  BOOST_TEST(jump.impacts == 2);
+  BOOST_TEST(jump.overlap == 0.25);
+}
+
+// Even far behind a wall: what leaves is not sent back, and no force is asked for.
+BOOST_AUTO_TEST_CASE(leaves_alone_what_is_on_its_way_out) {
+  for (const double h : {0.25, -3.0}) {
+    const Scene scene(ball(h, {1.0, 0.0, 2.0}), floor_at_zero, Gravity{}, Contact{});
+    Motion state = start(scene);
+    const Jump jump = scene.jump(state, 0.1);
+    BOOST_TEST(close(state.v, Eigen::Vector3d(1.0, 0.0, 2.0), {}));
+    BOOST_TEST(jump.impacts == 0);
+    BOOST_TEST(jump.overlap == 0.5 - h);
+    BOOST_TEST(jump.evaluations == 0);
+    BOOST_TEST(jump.energy_change == 0.0);
+  }
+}
+
+// Delta_1 = 10 0.01 0.5/1.5 = 1/30: the ball leaves with 0.5 2 + 1.5/30.
+BOOST_AUTO_TEST_CASE(counts_in_the_forces_of_the_other_laws) {
+  const Scene scene(ball(0.375, {0.0, 0.0, -2.0}), floor_at_zero, Gravity{{0.0, 0.0, -10.0}},
+                    Contact{.restitution = ConstantRestitution{0.5}, .gamma = 0.01});
+  Motion state = start(scene);
+  BOOST_TEST(scene.jump(state, 0.5).evaluations == 1);
+  BOOST_TEST(state.v[2] == 1.05, tolerance(1e-14));
+}
+
+BOOST_AUTO_TEST_CASE(shows_velocities_to_the_law_that_asks) {
+  const Scene scene(ball(0.375, {0.0, 0.0, -2.0}), floor_at_zero, Drag{10.0},
+                    Contact{.restitution = ConstantRestitution{0.5}, .gamma = 0.01});
+  Motion state = start(scene);
+  BOOST_TEST(scene.jump(state, 0.5).impacts == 1);
+  BOOST_TEST(state.v[2] == 0.95, tolerance(1e-14));  // the drag gives +10 m/s^2
+}
+
+BOOST_AUTO_TEST_CASE(is_unsettled_where_forces_have_no_value_or_centres_coincide) {
+  Particles outside = two_particles();
+  outside.position << 11.0, 0.0, 0.0, 11.5, 0.0, 0.0;
+  const Scene valueless(outside, Open{}, Slab{}, Contact{});
+  Motion state = start(valueless);
+  BOOST_TEST(valueless.jump(state, 0.1).unsettled == "the forces have no value where bodies touch");
+  BOOST_TEST(close(state.v, start(valueless).v, {}));
+  outside.position.row(1) = outside.position.row(0);
+  const Scene coincident(outside, Open{}, Contact{});
+  state = start(coincident);
+  BOOST_TEST(coincident.jump(state, 0.1).unsettled.find("particles 0 and 1 touch with the same centre") == 0U);
+}
+
+BOOST_AUTO_TEST_CASE(refuses_vectors_of_another_length) {
+  const Scene scene(two_particles(), Open{}, Contact{});
+  Motion state = start(scene);
+  state.v.resize(3);
+  BOOST_CHECK_EXCEPTION((void)scene.jump(state, 0.1), std::invalid_argument, says("must hold 6 numbers, got 3"));
+}
+
+BOOST_AUTO_TEST_CASE(does_nothing_without_particles) {
+  const Scene empty(no_particles(), floor_at_zero, Gravity{}, Contact{});
+  Motion state = start(empty);
+  BOOST_TEST(empty.jump(state, 0.1).impacts == 0);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(integrate_)
+
+// Sequential contacts pass the hit on in one step; summed ones need a step each, after which the next pair overlaps.
+BOOST_AUTO_TEST_CASE(lets_a_cradle_swing) {
+  for (const Resolution order : {Resolution::sequential, Resolution::summed}) {
+    const Scene scene(cradle(), Open{}, Contact<>{.resolution = order});
+    Motion state = start(scene);
+    VelocityVerlet scheme;
+    FixedStep control{.step = 0.01};
+    const Outcome outcome = integrate(scene, state, 0.1, scheme, control);
+    BOOST_TEST((outcome.status == Status::reached));
+    BOOST_TEST(outcome.impacts == 4);
+    BOOST_TEST(outcome.energy_change == 0.0);
+    BOOST_TEST(state.v[4] == 1.0);
+    BOOST_TEST(outcome.overlap == 0.01, tolerance(1e-12));
+    // Until the last moves, one step of the first, and of each that takes the hit over, passed.
+    BOOST_TEST(state.r[4] == (order == Resolution::sequential ? 8.09 : 8.06), tolerance(1e-14));
+  }
+}
+
+// From z = 1 at 4 m/s without gravity, steps of 0.0625: the floor is reached at 0.5 exactly after two, so the ball
+// turns there; e = 0.5 leaves 2 m/s.
+BOOST_AUTO_TEST_CASE(reports_impacts_overlap_and_energy) {
+  const Scene scene(ball(1.0, {0.0, 0.0, -4.0}), floor_at_zero, Contact{.restitution = ConstantRestitution{0.5}});
+  Motion state = start(scene);
+  VelocityVerlet scheme;
+  FixedStep control{.step = 0.0625};
+  const Outcome outcome = integrate(scene, state, 0.5, scheme, control);
+  BOOST_TEST(outcome.impacts == 1);
+  BOOST_TEST(outcome.energy_change == 4.0 - 16.0);
+  BOOST_TEST(outcome.overlap == 0.0);
+  BOOST_TEST(state.r[2] == 0.5 + 6 * 0.0625 * 2.0);
+}
+
+BOOST_AUTO_TEST_CASE(fails_where_a_jump_is_not_settled) {
+  Particles together = two_particles();
+  together.position = Vectors{{0.0, 0.0, 0.0}, {4.0, 0.0, 0.0}};
+  together.velocity = Vectors{{2.0, 0.0, 0.0}, {-2.0, 0.0, 0.0}};
+  const Scene scene(together, Open{}, Contact{});
+  Motion state = start(scene);
+  VelocityVerlet scheme;
+  FixedStep control{.step = 1.0};
+  const Outcome outcome = integrate(scene, state, 2.0, scheme, control);
+  BOOST_TEST((outcome.status == Status::failed));
+  BOOST_TEST(outcome.reason.find("particles 0 and 1 touch with the same centre") == 0U);
+  BOOST_TEST(outcome.overlap == 1.0);
+}
+
+// A ball that rests: after each step it approaches with u = g Dt - u_out, u_out = e u + gamma g Dt, so
+// u = (1 - gamma) g Dt/(1 + e), and sinks by u Dt - g Dt^2/2 a step. It never has more energy than at the start.
+BOOST_AUTO_TEST_CASE(gains_no_energy_in_a_resting_contact) {
+  const double g = 9.81, dt = 1e-3, gamma = 0.01;
+  for (const double e : {0.0, 0.5, 0.9}) {
+    const Scene scene(ball(0.5, {0.0, 0.0, 0.0}), floor_at_zero, Gravity{{0.0, 0.0, -g}},
+                      Contact{.restitution = ConstantRestitution{e}, .gamma = gamma});
+    Motion state = start(scene);
+    VelocityVerlet scheme;
+    FixedStep control{.step = dt};
+    const double energy = scene.potential_energy(state);
+    double most = -1.0, last_sink = 0.0, approach = 0.0;
+    const auto observe = [&](const Motion& from, const Motion& to, double, const VelocityVerlet&) {
+      most = std::max(most, from.v.squaredNorm() + scene.potential_energy(from) - energy);
+      last_sink = from.r[2] - to.r[2];
+      approach = -to.v[2];
+      return true;
+    };
+    const Outcome outcome = integrate(scene, state, 1.0, scheme, control, observe);
+    BOOST_TEST((outcome.status == Status::reached));
+    BOOST_TEST(most <= 1e-12);
+    BOOST_TEST(approach == (1.0 - gamma) * g * dt / (1.0 + e), tolerance(1e-9));
+    BOOST_TEST(last_sink == 0.5 * g * dt * dt * (1.0 - e - 2.0 * gamma) / (1.0 + e), tolerance(1e-8));
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

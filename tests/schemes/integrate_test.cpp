@@ -1,5 +1,6 @@
 #include <particulate/schemes/integrate.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -501,6 +502,50 @@ BOOST_AUTO_TEST_CASE(lets_the_state_jump_after_a_step_and_tells_the_scheme) {
   BOOST_TEST(before[3] == -2.0);          // observed before the jump
   BOOST_TEST(state.r[0] == 1.0);
   BOOST_TEST(state.v[0] == 0.0);
+}
+
+// The floor lies at 0.75 and takes half of the speed: steps of 0.25 end at v = -0.5, -1, -1.5, ... and r = 1 - t^2. At
+// t = 0.5 the stone just touches it at -1 and leaves with 0.5: at r = 0.8125, v = 0, then at 0.75 with -0.5, which
+// makes 0.25: at 0.75 with -0.25 and 0.125: 0.71875, -0.375, 0.03125 below.
+BOOST_AUTO_TEST_CASE(sums_the_energy_and_the_evaluations_of_jumps_and_keeps_the_deepest_overlap) {
+  struct Halved {
+    bool acceleration(double, In, Out a) const {
+      a.setConstant(-2.0);
+      return true;
+    }
+    Jump jump(Motion& at, double) const {
+      const double depth = 0.75 - at.r[0];
+      if (!(depth >= 0.0 && at.v[0] < 0.0)) return {.overlap = std::max(depth, 0.0), .unsettled = {}};
+      const double before = at.v[0];
+      at.v *= -0.5;
+      return {.impacts = 1,
+              .energy_change = 0.5 * (at.v[0] * at.v[0] - before * before),
+              .overlap = depth,
+              .evaluations = 2,
+              .unsettled = {}};
+    }
+  } problem;
+  Motion state = displaced();
+  VelocityVerlet scheme;
+  FixedStep control{.step = 0.25};
+  const Outcome outcome = integrate(problem, state, 1.5, scheme, control);
+  BOOST_TEST(outcome.impacts == 4);
+  // -3/8 (1 + 1/4 + 1/16 + 9/64) of the squares of 1, 0.5, 0.25 and 0.375.
+  BOOST_TEST(outcome.energy_change == -0.375 * (1.0 + 0.25 + 0.0625 + 0.140625));
+  BOOST_TEST(outcome.overlap == 0.03125);
+  // Six steps, the start, the three impacts after which a step follows, and two a jump with an impact.
+  BOOST_TEST(outcome.evaluations == 6 + 1 + 3 + 8);
+}
+
+BOOST_AUTO_TEST_CASE(reports_nothing_of_jumps_without_any) {
+  Motion state = displaced();
+  const Spring problem;
+  VelocityVerlet scheme;
+  FixedStep control{.step = 0.25};
+  const Outcome outcome = integrate(problem, state, 1.0, scheme, control);
+  BOOST_TEST(outcome.impacts == 0);
+  BOOST_TEST(outcome.energy_change == 0.0);
+  BOOST_TEST(outcome.overlap == 0.0);
 }
 
 BOOST_AUTO_TEST_CASE(fails_where_a_jump_is_not_settled_and_leaves_the_state_before_the_step) {

@@ -21,6 +21,7 @@ struct Places {
 /// What a law sees that asks for velocities too.
 struct Moving : Places {
   Eigen::Map<const kinematics::Vectors> velocity;  ///< v_i, N x 3 [m/s]
+  const Eigen::VectorXd& inverse_mass;             ///< 1/m_i, 0 for what is immovable, N [1/kg]
 };
 
 using Forces = Eigen::Map<kinematics::Vectors>;  ///< forces on the particles, N x 3, that a law adds to [N]

@@ -72,6 +72,16 @@ inline bool is_full(double square) {
 ///         double; the forces are then meaningless
 bool add_force(const NearField& law, const kinematics::Open&, const Places& at, Forces force);
 
+/// The same between walls, which the near field does not feel.
+///
+/// @param law    constants that validate() accepts
+/// @param at     the particles
+/// @param force  receives the forces, added to what it holds [N]
+/// @return as in unbounded space
+inline bool add_force(const NearField& law, const kinematics::Walled&, const Places& at, Forces force) {
+  return add_force(law, kinematics::Open{}, at, force);
+}
+
 /// Adds the near-field forces over all pairs in any domain, pair by pair.
 ///
 /// @equation{M 2.3}

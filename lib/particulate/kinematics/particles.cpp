@@ -32,6 +32,11 @@ void validate_finite(const Vectors& x, const char* what, const char* unit) {
 
 void validate(const Particles& particles) {
   validate_lengths(particles);
+  const std::size_t flags = particles.immovable.size();
+  if (flags != 0 && flags != static_cast<std::size_t>(particles.size())) {
+    throw std::invalid_argument(fmt::format(
+        "particles: immovable must be empty or hold one entry a particle, got {} for {}", flags, particles.size()));
+  }
   validate_finite(particles.position, "positions", "m");
   validate_finite(particles.velocity, "velocities", "m/s");
   for (Eigen::Index i = 0; i < particles.size(); ++i) {
@@ -46,6 +51,14 @@ void validate(const Particles& particles) {
           fmt::format("particles: radii must be finite and not negative, got {} m for particle {}", b, i));
     }
   }
+}
+
+Eigen::VectorXd inverse_masses(const Particles& particles) {
+  Eigen::VectorXd inverse = particles.mass.cwiseInverse();
+  for (std::size_t i = 0; i < particles.immovable.size(); ++i) {
+    if (particles.immovable[i]) inverse[static_cast<Eigen::Index>(i)] = 0.0;
+  }
+  return inverse;
 }
 
 RelativeMotion relative_motion(const Particles& particles, Eigen::Index i, Eigen::Index j) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include <Eigen/Core>
 
 namespace particulate::kinematics {
@@ -20,6 +22,9 @@ struct Particles {
   Eigen::VectorXd mass;    ///< m_i > 0, N [kg]
   Eigen::VectorXd radius;  ///< b_i >= 0, N [m]
 
+  /// Particles that no force and no impact moves; empty: every particle moves. Their masses still scale the near field.
+  std::vector<bool> immovable = {};
+
   /// @return the number of particles N [-]
   Eigen::Index size() const { return mass.size(); }
 };
@@ -31,6 +36,12 @@ struct Particles {
 /// finite, or
 ///         a radius is negative or not finite
 void validate(const Particles& particles);
+
+/// Inverse masses, zero for particles that are immovable.
+///
+/// @param particles  the set
+/// @return 1/m_i or 0, N entries [1/kg]
+Eigen::VectorXd inverse_masses(const Particles& particles);
 
 /// Reads the vector of one particle.
 ///

@@ -50,7 +50,8 @@ Particles scaled(const Particles& particles, const Scales& scales) {
   return {.position = scales.length * particles.position,
           .velocity = (scales.length / scales.time) * particles.velocity,
           .mass = scales.mass * particles.mass,
-          .radius = scales.length * particles.radius};
+          .radius = scales.length * particles.radius,
+          .immovable = particles.immovable};
 }
 
 }  // namespace particulate::kinematics

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <particulate/contact/contact.hpp>
 #include <particulate/contact/law.hpp>
 #include <particulate/kinematics/domain.hpp>
 #include <particulate/kinematics/particles.hpp>
@@ -40,8 +41,12 @@ inline void require_length(Eigen::Index given, Eigen::Index N) {
 /// compile. A state of another length than 3 N is a caller's mistake and throws std::invalid_argument.
 template <kinematics::Domain D, class... Laws>
 class Scene {
-  static_assert(((contact::PositionForce<Laws, D> || contact::MotionForce<Laws, D>)&&...),
-                "a law of this scene has no add_force(law, domain, places, forces) for this domain");
+  static_assert(
+      ((contact::PositionForce<Laws, D> || contact::MotionForce<Laws, D> || contact::Impacts<Laws>)&&...),
+      "a law of this scene has no add_force(law, domain, places, forces) for this domain, nor resolves impacts");
+  static_assert(
+      (0 + ... + static_cast<int>(contact::Impacts<Laws>)) <= 1,
+      "a scene has at most one law that resolves impacts: several would each settle what the other unsettles");
 
  public:
   /// Checks particles and laws once, where they enter.
@@ -53,11 +58,15 @@ class Scene {
   Scene(kinematics::Particles particles, D domain, Laws... laws)
       : particles_(std::move(particles)), domain_(std::move(domain)), laws_(std::move(laws)...) {
     validate(particles_);
+    check(domain_);
     std::apply([](const auto&... law) { (check(law), ...); }, laws_);
+    inverse_mass_ = inverse_masses(particles_);
   }
 
   /// Whether a law asks for velocities.
   static constexpr bool needs_velocity = (contact::MotionForce<Laws, D> || ...);
+  /// Whether a law resolves impacts.
+  static constexpr bool has_impacts = (contact::Impacts<Laws> || ...);
 
   /// @return the start, and what stays with each particle
   const kinematics::Particles& particles() const { return particles_; }
@@ -106,6 +115,33 @@ class Scene {
     return std::apply([&](const auto&... law) { return (0.0 + ... + detail::energy_of(law, domain_, at)); }, laws_);
   }
 
+  /// Contacts at the end of a step, as a jump of the velocities. The other forces are asked for only where bodies meet.
+  ///
+  /// @param state  a state of this scene; its velocities are changed
+  /// @param dt     the step that ends there [s]
+  /// @return impacts, change of kinetic energy, overlap; unsettled if a direction or a force is missing
+  schemes::Jump jump(schemes::Motion& state, double dt) const requires has_impacts {
+    const contact::Moving here = moving(state.t, state.r, state.v);
+    contact::Touching touching = contact::find_touching(domain_, here);
+    if (!contact::any_approach(touching, here)) return {.overlap = touching.overlap, .unsettled = {}};
+    Eigen::VectorXd others(state.r.size());
+    if (!total_force(state, others)) {
+      return {
+          .overlap = touching.overlap, .evaluations = 1, .unsettled = "the forces have no value where bodies touch"};
+    }
+    Eigen::VectorXd after = state.v;
+    schemes::Jump jump;
+    const auto resolve = [&](const auto& law) {
+      if constexpr (contact::Impacts<std::decay_t<decltype(law)>>) {
+        jump = resolve_impacts(law, here, std::move(touching), others, dt, after);
+      }
+    };
+    std::apply([&](const auto&... law) { (resolve(law), ...); }, laws_);
+    jump.evaluations = 1;
+    state.v = after;
+    return jump;
+  }
+
   /// The monograph's measure, the sum over particles of \f$ \|x_i - y_i\| \f$. @see schemes::Measures
   ///
   /// @param x  one set of positions, 3 N numbers
@@ -127,21 +163,29 @@ class Scene {
   contact::Places places(double t, schemes::In r) const {
     return {.t = t, .position = shaped(r), .mass = particles_.mass, .radius = particles_.radius};
   }
-  contact::Moving moving(double t, schemes::In r, schemes::In v) const { return {places(t, r), shaped(v)}; }
+  contact::Moving moving(double t, schemes::In r, schemes::In v) const {
+    return {places(t, r), shaped(v), inverse_mass_};
+  }
 
+  template <class L, class Here>
+  bool add(const L& law, const Here& at, contact::Forces sum) const {
+    if constexpr (contact::PositionForce<L, D> || contact::MotionForce<L, D>) return add_force(law, domain_, at, sum);
+    return true;
+  }
   template <class Here>
   bool force(const Here& at, schemes::Out f) const {
     detail::require_length(f.size(), particles_.size());
     f.setZero();
     const contact::Forces sum(f.data(), particles_.size(), 3);
-    return std::apply([&](const auto&... law) { return (add_force(law, domain_, at, sum) && ...); }, laws_);
+    return std::apply([&](const auto&... law) { return (add(law, at, sum) && ...); }, laws_);
   }
   bool divide_by_mass(schemes::Out a) const {
-    contact::Forces(a.data(), particles_.size(), 3).array().colwise() /= particles_.mass.array();
+    contact::Forces(a.data(), particles_.size(), 3).array().colwise() *= inverse_mass_.array();
     return a.allFinite();
   }
 
   kinematics::Particles particles_;
+  Eigen::VectorXd inverse_mass_;
   D domain_;
   std::tuple<Laws...> laws_;
 };

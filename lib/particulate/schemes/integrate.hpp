@@ -150,6 +150,9 @@ Outcome integrate(P& problem, State& state, double t_end, S& scheme, C& control,
     if constexpr (Jumps<P>) {
       Jump jump = counted.jump(to, dt);
       out.impacts += jump.impacts;
+      out.energy_change += jump.energy_change;
+      out.overlap = std::max(out.overlap, jump.overlap);
+      counted.evaluations += jump.evaluations;
       if (jump.impacts > 0 || !jump.unsettled.empty()) scheme.forget();
       if (!jump.unsettled.empty()) return end(Status::failed, std::move(jump.unsettled));
     }

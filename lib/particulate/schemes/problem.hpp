@@ -78,6 +78,8 @@ concept Measures = requires(const P& p, In x, In y) {
 struct Jump {
   long impacts = 0;            ///< pairs that exchanged an impulse [-]
   double energy_change = 0.0;  ///< kinetic energy after minus before [J]
+  double overlap = 0.0;        ///< deepest overlap of two bodies before it [m]
+  long evaluations = 0;        ///< right-hand sides that it asked for [-]
   std::string unsettled;       ///< not empty: the jump could not be completed, and why
 };
 

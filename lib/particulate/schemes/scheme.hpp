@@ -92,6 +92,8 @@ struct [[nodiscard]] Outcome {
   long evaluations = 0;             ///< right-hand sides [-]
   long impacts = 0;                 ///< impulses exchanged by jumps [-]
   double contraction = 0.0;         ///< largest Iteration::rate seen [-]
+  double overlap = 0.0;             ///< deepest overlap of two bodies at the end of any step [m]
+  double energy_change = 0.0;       ///< of the kinetic energy by jumps [J]
 };
 
 }  // namespace particulate::schemes

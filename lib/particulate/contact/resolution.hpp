@@ -1,0 +1,77 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <particulate/contact/impact.hpp>
+#include <particulate/kinematics/particles.hpp>
+
+/// @file
+/// Several contacts at one moment: in what order their impulses act, and how often.
+
+namespace particulate::contact {
+
+/// How simultaneous contacts are resolved.
+enum class Resolution {
+  /// One impulse a contact, all from the velocities before, added: as the monograph does. It can create energy.
+  summed,
+  /// The fastest approach first, equal ones together, until no pair approaches. It cannot, but for the work of the
+  /// other forces during the impacts, O(gamma Dt).
+  sequential
+};
+
+/// Two bodies that touch.
+struct Touch {
+  Eigen::Index i = 0;                                      ///< one particle
+  Eigen::Index j = -1;                                     ///< the other; negative: a wall
+  Eigen::Vector3d n = Eigen::Vector3d::Zero();             ///< unit vector from i to j
+  Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();  ///< of i minus that of j, by all other forces [m/s^2]
+};
+
+/// What the impulses of one moment did.
+struct Resolved {
+  long impacts = 0;            ///< impulses exchanged [-]
+  double largest_impulse = 0;  ///< largest normal impulse of one impact [N s]
+  std::string unsettled;       ///< not empty: pairs still approach, how fast, and what to do
+};
+
+/// Changes velocities by the impulses of contacts.
+///
+/// Contacts that hang together through bodies that can move form a cluster, which no other cluster concerns. Sequential
+/// resolution takes, again and again, the contacts of a cluster that approach fastest, within 1e-10 of one another
+/// relative to it, and resolves each connected group of them at once, by impulses that make all of them part with e
+/// times their approach speed,
+///
+/// \f[ W P = (1 + e)(u + \Delta_1), \qquad P \ge 0, \f]
+///
+/// with W the inverse mass matrix seen along the normals, contacts that would have to pull left out. So a symmetric hit
+/// stays symmetric and the order of numbering does not matter, beyond rounding. Without other forces the normal
+/// impulses of a group take the energy \f$ \tfrac12 (1 - e^2)\, u^T W^{-1} u \ge 0 \f$. Friction of a group is scaled
+/// back where it would stop more than there is, so it takes energy too. A cluster is settled when it approaches nowhere
+/// faster than 1e-13 of its first approach, or than the rounding of its velocities; it is given up after
+/// \f$ 10^4 + 200\,n^2 \f$ rounds of n contacts, which a light body pinched between bodies thousands of times as heavy
+/// needs, as it carries their momentum across in as many hits as that ratio, and which never suffice to an elastic body
+/// held between opposite walls. Two bodies that are both immovable exchange
+/// nothing.
+///
+/// @equation{D 2.2} The monograph sums; the rest is beyond it.
+/// @tparam RestitutionLaw  ConstantRestitution or Restitution
+/// @tparam FrictionLaw     Frictionless or Friction
+template <class RestitutionLaw, class FrictionLaw>
+struct ContactResolver {
+  RestitutionLaw restitution;                      ///< share of the approach speed that is kept
+  FrictionLaw friction;                            ///< Friction or Frictionless
+  Resolution resolution = Resolution::sequential;  ///< in what order
+
+  /// Resolves all contacts of one moment.
+  ///
+  /// @param touching      the contacts, each direction a unit vector
+  /// @param inverse_mass  1/m_i, 0 for what is immovable, N [1/kg]
+  /// @param duration      gamma Dt [s]
+  /// @param velocity      velocities before, changed in place, N x 3 [m/s]
+  /// @return what was done; velocities are meaningless where it is unsettled
+  Resolved operator()(const std::vector<Touch>& touching, const Eigen::VectorXd& inverse_mass, double duration,
+                      kinematics::VectorsOut velocity) const;
+};
+
+}  // namespace particulate::contact

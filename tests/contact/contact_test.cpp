@@ -1,0 +1,291 @@
+#include <particulate/contact/contact.hpp>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "close.hpp"
+
+using boost::test_tools::tolerance;
+using particulate::contact::any_approach;
+using particulate::contact::Conservative;
+using particulate::contact::ConstantRestitution;
+using particulate::contact::Contact;
+using particulate::contact::find_touching;
+using particulate::contact::Friction;
+using particulate::contact::Frictionless;
+using particulate::contact::Impacts;
+using particulate::contact::MotionForce;
+using particulate::contact::Moving;
+using particulate::contact::PositionForce;
+using particulate::contact::Resolution;
+using particulate::contact::resolve_impacts;
+using particulate::contact::Restitution;
+using particulate::contact::Touching;
+using particulate::contact::validate;
+using particulate::contact::Validated;
+using particulate::kinematics::Open;
+using particulate::kinematics::Particles;
+using particulate::kinematics::Vectors;
+using particulate::kinematics::Wall;
+using particulate::kinematics::Walled;
+using particulate::schemes::Jump;
+using tests::close;
+using tests::says;
+
+namespace {
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+const Walled room{{Wall{.point = {0.0, 0.0, -1.0}, .normal = {0.0, 0.0, 1.0}},
+                   Wall{.point = {4.0, 9.0, 9.0}, .normal = {-1.0, 0.0, 0.0}}}};
+
+static_assert(Impacts<Contact<>> && Impacts<Contact<Restitution, Friction>> && Validated<Contact<>>);
+static_assert(!PositionForce<Contact<>, Open> && !MotionForce<Contact<>, Open>, "a contact is no force");
+static_assert(!Impacts<Friction>);
+static_assert(Conservative<Contact<>, Open>, "a scene with contacts can book its energy");
+
+// Particles at a moment, as a scene shows them to its laws.
+struct Cloud {
+  Particles particles;
+  Eigen::VectorXd inverse_mass = inverse_masses(particles);
+
+  Moving at() const {
+    const Eigen::Index N = particles.size();
+    return {{.t = 0.0,
+             .position = Eigen::Map<const Vectors>(particles.position.data(), N, 3),
+             .mass = particles.mass,
+             .radius = particles.radius},
+            Eigen::Map<const Vectors>(particles.velocity.data(), N, 3),
+            inverse_mass};
+  }
+  template <class D>
+  Touching touching(const D& domain) const {
+    return find_touching(domain, at());
+  }
+};
+
+// Three spheres along x: the first two overlap by 0.5, the last touches the second.
+Cloud in_a_row() {
+  return {{.position = Vectors{{0.0, 0.0, 0.0}, {1.5, 0.0, 0.0}, {3.0, 0.0, 0.0}},
+           .velocity = Vectors{{2.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 0.0}},
+           .mass = Eigen::Vector3d(1.0, 2.0, 4.0),
+           .radius = Eigen::Vector3d(1.0, 1.0, 0.5)}};
+}
+
+struct Resolved {
+  Jump jump;
+  Vectors velocity;
+};
+
+template <class C, class D>
+Resolved resolved(const C& law, const Cloud& cloud, const D& domain, const Vectors& force, double dt) {
+  const Eigen::VectorXd f = force.reshaped();
+  Eigen::VectorXd v = cloud.particles.velocity.reshaped();
+  const Jump jump = resolve_impacts(law, cloud.at(), cloud.touching(domain), f, dt, v);
+  return {jump, v.reshaped(cloud.particles.size(), 3)};
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(validate_)
+
+BOOST_AUTO_TEST_CASE(accepts_the_defaults_and_every_combination) {
+  BOOST_CHECK_NO_THROW(validate(Contact{}));
+  const Friction rough{.mu_s = 0.2, .mu_d = 0.1};
+  BOOST_CHECK_NO_THROW(validate(Contact<ConstantRestitution, Friction>{.friction = rough}));
+  BOOST_CHECK_NO_THROW(validate(Contact<Restitution, Friction>{.restitution = {.e_o = 0.5}, .friction = rough}));
+  BOOST_CHECK_NO_THROW(validate(Contact<Restitution>{.resolution = Resolution::summed}));
+}
+
+BOOST_AUTO_TEST_CASE(refuses_what_its_parts_refuse) {
+  const auto refuses = [](const auto& law, const char* words) {
+    BOOST_CHECK_EXCEPTION(validate(law), std::invalid_argument, says(words));
+  };
+  refuses(Contact<>{.restitution = {1.5}}, "restitution: e must lie in [0, 1], got 1.5");
+  refuses(Contact<Restitution>{.restitution = {.v_star = -1.0}}, "restitution: v_star must be positive");
+  refuses(Contact<ConstantRestitution, Friction>{.friction = {.mu_s = 0.1, .mu_d = 0.2}},
+          "friction: mu_s must be finite and at least mu_d = 0.2, got 0.1");
+}
+
+BOOST_AUTO_TEST_CASE(refuses_a_duration_beyond_the_step_and_a_resolution_that_is_none) {
+  for (const double gamma : {0.0, -0.01, 1.0, not_a_number}) {
+    BOOST_CHECK_EXCEPTION(validate(Contact<>{.gamma = gamma}), std::invalid_argument,
+                          says("contact: gamma must lie between 0 and 1, got "));
+  }
+  BOOST_CHECK_EXCEPTION(validate(Contact<>{.resolution = static_cast<Resolution>(7)}), std::invalid_argument,
+                        says("contact: resolution must be summed or sequential, got number 7"));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(potential_energy_)
+
+BOOST_AUTO_TEST_CASE(is_none_however_deep_the_overlap) {
+  BOOST_TEST(potential_energy(Contact{}, Open{}, in_a_row().at()) == 0.0);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(find_touching_)
+
+BOOST_AUTO_TEST_CASE(finds_pairs_that_overlap_or_just_touch_and_the_deepest) {
+  const Touching found = in_a_row().touching(Open{});
+  BOOST_REQUIRE(found.contacts.size() == 2U);
+  BOOST_TEST(found.contacts[0].i == 0);
+  BOOST_TEST(found.contacts[0].j == 1);
+  BOOST_TEST(close(found.contacts[0].n, Eigen::Vector3d(1.0, 0.0, 0.0), {}));
+  BOOST_TEST(found.contacts[1].i == 1);
+  BOOST_TEST(found.contacts[1].j == 2);
+  BOOST_TEST(found.overlap == 0.5);
+  BOOST_TEST(found.directed);
+}
+
+BOOST_AUTO_TEST_CASE(finds_nothing_apart_and_among_no_particle) {
+  Cloud apart = in_a_row();
+  apart.particles.position.col(1) << 0.0, 5.0, 10.0;
+  BOOST_TEST(apart.touching(Open{}).contacts.empty());
+  BOOST_TEST(apart.touching(Open{}).overlap == 0.0);
+  const Cloud none{{Vectors(0, 3), Vectors(0, 3), Eigen::VectorXd(0), Eigen::VectorXd(0)}};
+  BOOST_TEST(none.touching(room).contacts.empty());
+}
+
+BOOST_AUTO_TEST_CASE(points_from_the_first_to_the_second) {
+  Cloud pair = in_a_row();
+  pair.particles.position.row(1) << 0.6, -0.8, 0.0;
+  BOOST_TEST(close(pair.touching(Open{}).contacts[0].n, Eigen::Vector3d(0.6, -0.8, 0.0), {.relative = 1e-15}));
+}
+
+// The floor at z = -1 is touched by the first two; the wall at x = 4 is 1 away from the last.
+BOOST_AUTO_TEST_CASE(finds_walls_that_are_touched) {
+  Cloud cloud = in_a_row();
+  Touching found = cloud.touching(room);
+  BOOST_TEST(found.contacts.size() == 4U);
+  BOOST_TEST(found.contacts[1].i == 0);
+  BOOST_TEST(found.contacts[1].j == -1);
+  BOOST_TEST(close(found.contacts[1].n, Eigen::Vector3d(0.0, 0.0, -1.0), {}));
+  cloud.particles.position.row(2) << 5.0, 0.0, 0.0;
+  found = cloud.touching(room);
+  BOOST_TEST(close(found.contacts.back().n, Eigen::Vector3d(1.0, 0.0, 0.0), {}));
+  BOOST_TEST(found.overlap == 1.5);  // 1 behind the wall, and its radius
+}
+
+BOOST_AUTO_TEST_CASE(says_when_a_direction_is_missing) {
+  Cloud cloud = in_a_row();
+  cloud.particles.position.row(2) = cloud.particles.position.row(1);
+  const Touching found = cloud.touching(Open{});
+  BOOST_TEST(!found.directed);
+  BOOST_TEST(found.overlap == 1.5);
+  BOOST_TEST(any_approach(found, cloud.at()));
+}
+
+BOOST_AUTO_TEST_CASE(takes_no_notice_of_what_cannot_move_on_either_side) {
+  Cloud fixed = in_a_row();
+  fixed.particles.position.row(1) = fixed.particles.position.row(0);
+  fixed.inverse_mass.head<2>().setZero();
+  const Touching found = fixed.touching(room);
+  BOOST_TEST(found.contacts.empty());
+  BOOST_TEST(found.directed);
+  BOOST_TEST(found.overlap == 0.0);
+  fixed.inverse_mass[1] = 1.0;
+  BOOST_TEST(fixed.touching(Open{}).contacts.size() == 1U);
+  fixed.inverse_mass.head<2>() << 1.0, 0.0;
+  BOOST_TEST(fixed.touching(Open{}).contacts.size() == 1U);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(any_approach_)
+
+BOOST_AUTO_TEST_CASE(asks_for_relative_velocities_along_the_contacts) {
+  Cloud cloud = in_a_row();
+  const auto approaches = [&] { return any_approach(cloud.touching(room), cloud.at()); };
+  BOOST_TEST(approaches());
+  cloud.particles.velocity.col(0) << 2.0, 2.0, 2.0;  // together
+  BOOST_TEST(!approaches());
+  cloud.particles.velocity.col(0) << -1.0, 0.0, 1.0;  // apart
+  BOOST_TEST(!approaches());
+  cloud.particles.velocity.col(2) << 0.0, 1.0, 0.0;  // up from the floor
+  BOOST_TEST(!approaches());
+  cloud.particles.velocity.col(2) << 0.0, -1.0, 0.0;  // into it
+  BOOST_TEST(approaches());
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(resolve_impacts_)
+
+// Masses 1 and 2 close at 2 m/s: J = -1.5 (2/3) 2 = -2: v_0 = 0, v_1 = 1. Then 2 and 4 close at 1: J = -1.5 (4/3) = -2:
+// v_1 = 0, v_2 = 0.5. Energy 2 + 1 before, (4 0.25)/2 + 1 after.
+BOOST_AUTO_TEST_CASE(changes_velocities_and_reports_what_it_did) {
+  const auto [jump, velocity] =
+      resolved(Contact{.restitution = ConstantRestitution{0.5}}, in_a_row(), Open{}, Vectors::Zero(3, 3), 0.1);
+  BOOST_TEST(close(velocity, Vectors{{0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.5, 0.0, 0.0}}, {.absolute = 1e-15}));
+  BOOST_TEST(jump.impacts == 2);
+  BOOST_TEST(jump.energy_change == -1.5, tolerance(1e-15));
+  BOOST_TEST(jump.overlap == 0.5);
+  BOOST_TEST(jump.unsettled.empty());
+}
+
+// The forces 3 and -2 N give (3/1 + 2/2) = 4 m/s^2 of approach over gamma dt/(1 + e) = 0.25/1.25 s: Delta_1 = 0.8,
+// J = -1.25 (2/3) 2.8 = -7/3.
+BOOST_AUTO_TEST_CASE(divides_the_other_forces_by_each_mass_and_acts_for_gamma_dt) {
+  Cloud cloud = in_a_row();
+  cloud.particles.position.row(2) << 0.0, 9.0, 0.0;
+  const Vectors force{{3.0, 0.0, 0.0}, {-2.0, 0.0, 0.0}, {50.0, 50.0, 50.0}};
+  const auto [jump, velocity] =
+      resolved(Contact{.restitution = ConstantRestitution{0.25}, .gamma = 0.5}, cloud, Open{}, force, 0.5);
+  BOOST_TEST(velocity(0, 0) == 2.0 - 7.0 / 3.0, tolerance(1e-14));
+  BOOST_TEST(velocity(1, 0) == 7.0 / 6.0, tolerance(1e-14));
+  BOOST_TEST(jump.impacts == 1);
+}
+
+// A force on what is immovable moves it as little as an impact does.
+BOOST_AUTO_TEST_CASE(takes_no_acceleration_from_what_is_immovable) {
+  Cloud cloud = in_a_row();
+  cloud.inverse_mass[1] = 0.0;
+  cloud.particles.velocity.row(1).setZero();
+  const Vectors force{{0.0, 0.0, 0.0}, {-1000.0, 0.0, 0.0}, {0.0, 0.0, 0.0}};
+  const auto [jump, velocity] =
+      resolved(Contact{.restitution = ConstantRestitution{0.5}, .gamma = 0.5}, cloud, Open{}, force, 0.5);
+  BOOST_TEST(close(velocity, Vectors{{-1.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}}, {}));
+  BOOST_TEST(jump.energy_change == -1.5);
+}
+
+BOOST_AUTO_TEST_CASE(hands_on_its_friction_and_its_resolution) {
+  Cloud cloud = in_a_row();
+  cloud.particles.velocity.row(1).setZero();
+  cloud.particles.velocity(0, 2) = 0.5;
+  const Vectors none = Vectors::Zero(3, 3);
+  // |J| = 4/3 at e = 0, so sliding with mu_d = 0.1 takes 2/15 of the 0.5 m/s.
+  Contact<ConstantRestitution, Friction> law{.restitution = {0.0}, .friction = {.mu_s = 0.1, .mu_d = 0.1}};
+  law.resolution = Resolution::summed;
+  const auto [jump, velocity] = resolved(law, cloud, Open{}, none, 0.1);
+  BOOST_TEST(velocity(0, 2) == 0.5 - 2.0 / 15.0, tolerance(1e-14));
+  BOOST_TEST(jump.impacts == 1);  // the hit is not passed on to the third
+  BOOST_TEST(resolved(Contact{.restitution = ConstantRestitution{0.0}}, cloud, Open{}, none, 0.1).jump.impacts > 1);
+}
+
+BOOST_AUTO_TEST_CASE(names_two_particles_with_the_same_centre) {
+  Cloud cloud = in_a_row();
+  cloud.particles.position.row(2) = cloud.particles.position.row(1);
+  const auto [jump, velocity] = resolved(Contact{}, cloud, Open{}, Vectors::Zero(3, 3), 0.1);
+  BOOST_TEST(jump.unsettled ==
+             "particles 1 and 2 touch with the same centre, so there is no direction to part them in: start them "
+             "apart, or take a smaller step");
+  BOOST_TEST(jump.impacts == 0);
+  BOOST_TEST(jump.overlap == 1.5);
+  BOOST_TEST(close(velocity, cloud.particles.velocity, {}));
+}
+
+BOOST_AUTO_TEST_CASE(hands_on_what_could_not_be_settled) {
+  Cloud jammed{{.position = Vectors{{0.0, 0.0, 0.0}},
+                .velocity = Vectors{{0.0, 0.0, 1.0}},
+                .mass = Eigen::VectorXd::Ones(1),
+                .radius = Eigen::VectorXd::Ones(1)}};
+  const Walled slot{{Wall{.point = {0.0, 0.0, -1.0}, .normal = {0.0, 0.0, 1.0}},
+                     Wall{.point = {0.0, 0.0, 1.0}, .normal = {0.0, 0.0, -1.0}}}};
+  const Jump jump = resolved(Contact{}, jammed, slot, Vectors::Zero(1, 3), 0.1).jump;
+  BOOST_TEST(jump.unsettled.find("of 2 contacts that hang together still approach") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,83 @@
+#include <particulate/contact/restitution.hpp>
+
+#include <limits>
+#include <stdexcept>
+
+#include <boost/test/unit_test.hpp>
+
+#include "says.hpp"
+
+using boost::test_tools::tolerance;
+using particulate::contact::ConstantRestitution;
+using particulate::contact::Restitution;
+using particulate::contact::restitution_at;
+using particulate::contact::validate;
+using tests::says;
+
+namespace {
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+const Restitution falling{.e_o = 0.5, .v_star = 10.0, .e_minus = 0.125};
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(restitution_at_)
+
+BOOST_AUTO_TEST_CASE(of_a_gentle_impact_is_e_o) { BOOST_TEST(restitution_at(falling, 0.0) == 0.5); }
+
+// 0.5 (1 - 4/10) = 0.3, and 0.5 (1 - 2.5/10) = 0.375.
+BOOST_AUTO_TEST_CASE(falls_linearly_with_the_approach_speed) {
+  BOOST_TEST(restitution_at(falling, 4.0) == 0.3, tolerance(1e-15));
+  BOOST_TEST(restitution_at(falling, 2.5) == 0.375);
+}
+
+// The floor 0.125 = 0.5 (1 - 7.5/10) is met at 7.5 m/s.
+BOOST_AUTO_TEST_CASE(stays_on_its_floor) {
+  BOOST_TEST(restitution_at(falling, 7.4) == 0.13, tolerance(1e-14));
+  BOOST_TEST(restitution_at(falling, 7.6) == 0.125);
+  BOOST_TEST(restitution_at(falling, 1e300) == 0.125);
+  BOOST_TEST(restitution_at(Restitution{.e_o = 0.5, .v_star = 10.0}, 10.0) == 0.0);
+}
+
+BOOST_AUTO_TEST_CASE(does_not_fall_without_a_critical_speed) {
+  BOOST_TEST(restitution_at(Restitution{.e_o = 0.75}, 1e300) == 0.75);
+  BOOST_TEST(restitution_at(ConstantRestitution{0.75}, 0.0) == 0.75);
+  BOOST_TEST(restitution_at(ConstantRestitution{0.75}, 1e300) == 0.75);
+}
+
+BOOST_AUTO_TEST_CASE(keeps_everything_by_default) {
+  BOOST_TEST(restitution_at(Restitution{}, 3.0) == 1.0);
+  BOOST_TEST(restitution_at(ConstantRestitution{}, 3.0) == 1.0);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(validate_)
+
+BOOST_AUTO_TEST_CASE(accepts_every_share_of_the_approach_speed) {
+  BOOST_CHECK_NO_THROW(validate(Restitution{}));
+  BOOST_CHECK_NO_THROW(validate(Restitution{.e_o = 0.0, .v_star = 1e-300}));
+  BOOST_CHECK_NO_THROW(validate(Restitution{.e_o = 0.5, .e_minus = 0.5}));
+  for (const double e : {0.0, 0.5, 1.0}) BOOST_CHECK_NO_THROW(validate(ConstantRestitution{e}));
+}
+
+BOOST_AUTO_TEST_CASE(names_the_share_that_is_none) {
+  const auto refuses = [](const auto& law, const char* words) {
+    BOOST_CHECK_EXCEPTION(validate(law), std::invalid_argument, says(words));
+  };
+  refuses(Restitution{.e_o = 1.1}, "restitution: e_o must lie in [0, 1], got 1.1");
+  refuses(Restitution{.e_o = -0.1}, "e_o must lie in [0, 1], got -0.1");
+  refuses(Restitution{.e_o = not_a_number}, "e_o must lie in [0, 1], got nan");
+  refuses(Restitution{.e_o = 0.5, .e_minus = 0.6}, "restitution: e_minus must lie in [0, e_o = 0.5], got 0.6");
+  refuses(Restitution{.e_minus = -1e-300}, "e_minus must lie in [0, e_o = 1], got -1e-300");
+  refuses(Restitution{.e_minus = not_a_number}, "e_minus must lie in [0, e_o = 1], got nan");
+  refuses(Restitution{.v_star = 0.0}, "restitution: v_star must be positive, infinite for a restitution that does not");
+  refuses(Restitution{.v_star = not_a_number}, "got nan m/s");
+  for (const double e : {-1e-300, 1.0000001, infinity, not_a_number}) {
+    refuses(ConstantRestitution{e}, "restitution: e must lie in [0, 1], got ");
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
