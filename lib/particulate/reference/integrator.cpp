@@ -13,6 +13,7 @@
 #include <type_traits>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include <arkode/arkode_arkstep.h>
 #include <arkode/arkode_butcher_erk.h>
@@ -46,6 +47,10 @@ struct Callback {
   long evaluations = 0;
   std::exception_ptr thrown;
   std::optional<double> no_value_at;  // where the step being tried was last told so
+  Events events;
+  std::optional<double> no_event_at;  // where an event function was not finite
+  Eigen::VectorXd residue;            // how far from zero each function may still stand on an event that has stopped
+  std::vector<bool> armed;            // whether it has been farther away since the method last started afresh
 };
 
 // Returns 0, +1 for "no value here, try a smaller step", or -1 for "give up".
@@ -61,6 +66,32 @@ int evaluate(sunrealtype t, N_Vector y, N_Vector dy, void* data) noexcept {
     if (callback.rate(t, in, out) && out.allFinite()) return 0;
     callback.no_value_at = t;
     return 1;
+  } catch (...) {
+    callback.thrown = std::current_exception();
+    return -1;
+  }
+}
+
+// Returns 0, or -1 for "give up". The state at an event is beyond it by rounding, and may pass it again on its way
+// back. So a function that has stopped an advance is handed over as an exact zero, which CVODE disregards at a start,
+// until it has once been farther away.
+int find_events(sunrealtype t, N_Vector y, sunrealtype* g, void* data) noexcept {
+  Callback& callback = *static_cast<Callback*>(data);
+  if (callback.thrown) return -1;
+  try {
+    const Eigen::Map<const Eigen::VectorXd> in(N_VGetArrayPointer(y), static_cast<Eigen::Index>(N_VGetLength(y)));
+    Eigen::Map<Eigen::VectorXd> out(g, static_cast<Eigen::Index>(callback.events.directions.size()));
+    callback.events.functions(t, in, out);
+    if (!out.allFinite()) {
+      callback.no_event_at = t;
+      return -1;
+    }
+    for (std::size_t k = 0; k < callback.armed.size(); ++k) {
+      if (callback.armed[k]) continue;
+      callback.armed[k] = std::abs(g[k]) > callback.residue[static_cast<Eigen::Index>(k)];
+      if (!callback.armed[k]) g[k] = 0.0;
+    }
+    return 0;
   } catch (...) {
     callback.thrown = std::current_exception();
     return -1;
@@ -111,6 +142,7 @@ struct NothingToSolve {
     return CV_SUCCESS;
   }
   static Counts counts() { return {}; }
+  static std::vector<Hit> hits() { return {}; }
   static std::string name_of(int flag) { return fmt::format("flag {}", flag); }
 };
 
@@ -132,6 +164,7 @@ class AdamsMemory {
     check(CVodeSetMaxOrd(m, method.max_order), "CVodeSetMaxOrd");
     check(CVodeSetInitStep(m, method.first_step.value_or(0.0)), "CVodeSetInitStep");
     check(CVodeSetMaxStep(m, method.largest_step.value_or(0.0)), "CVodeSetMaxStep");
+    watch_for(callback.events);
   }
 
   void restart(double t, N_Vector y) { check(CVodeReInit(memory_.get(), t, y), "CVodeReInit"); }
@@ -151,11 +184,32 @@ class AdamsMemory {
     is.rejections = failed_tests + unconverged;
     return is;
   }
+  std::vector<Hit> hits() const {
+    std::vector<int> found(events_);
+    check(CVodeGetRootInfo(memory_.get(), found.data()), "CVodeGetRootInfo");
+    std::vector<Hit> all;
+    for (std::size_t k = 0; k < events_; ++k) {
+      if (found[k] != 0) all.push_back({.event = k, .crossing = static_cast<Direction>(found[k])});
+    }
+    return all;
+  }
   static std::string name_of(int flag) { return owned(CVodeGetReturnFlagName(flag)); }
 
  private:
+  void watch_for(const Events& events) {
+    events_ = events.directions.size();
+    if (events_ == 0) return;
+    void* const m = memory_.get();
+    std::vector<int> directions;
+    for (const Direction direction : events.directions) directions.push_back(static_cast<int>(direction));
+    check(CVodeRootInit(m, static_cast<int>(events_), find_events), "CVodeRootInit");
+    check(CVodeSetRootDirection(m, directions.data()), "CVodeSetRootDirection");
+    check(CVodeSetNoInactiveRootWarn(m), "CVodeSetNoInactiveRootWarn");
+  }
+
   std::unique_ptr<void, Freed<free_cvode>> memory_;
   FixedPoint corrector_;
+  std::size_t events_ = 0;
 };
 
 ARKODE_ERKTableID id(Table table) {
@@ -248,6 +302,7 @@ class ExplicitMemory {
 #endif
     return is;
   }
+  static std::vector<Hit> hits() { return {}; }
   static std::string name_of(int flag) { return owned(PARTICULATE_ARK(GetReturnFlagName)(flag)); }
 
  private:
@@ -316,6 +371,8 @@ std::string_view meaning(int flag) {
       return "no step leads on from here to where the problem has a value; stop before this time, or take smaller "
              "steps "
              "up to it";
+    case CV_RTFUNC_FAIL:
+      return "an event function has no finite value; write one for every state that the solution may come near";
     case CV_ILL_INPUT:
     case CV_TOO_CLOSE:
       return "SUNDIALS refuses the times of this advance; choose an end further from the start";
@@ -341,9 +398,18 @@ struct Integrator::Machinery {
   std::variant<NothingToSolve, AdamsMemory, ExplicitMemory> memory;
   long max_steps = 0;
   bool stands_at_last = true;  // false: SUNDIALS must start afresh before it goes on
+  std::vector<Hit> hits;       // events that ended the last advance
 
-  Machinery(Rate rate, const Values& start, const Method& method)
-      : callback{.rate = std::move(rate), .thrown = nullptr, .no_value_at = {}}, last(start), y(start.y) {
+  Machinery(Rate rate, const Values& start, const Method& method, const Events& events)
+      : callback{.rate = std::move(rate),
+                 .thrown = nullptr,
+                 .no_value_at = {},
+                 .events = events,
+                 .no_event_at = {},
+                 .residue = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(events.directions.size())),
+                 .armed = std::vector<bool>(events.directions.size(), false)},
+        last(start),
+        y(start.y) {
     std::visit([this](const auto& settings) { max_steps = settings.max_steps; }, method);
     if (y.size() == 0) return;
 #if SUNDIALS_VERSION_MAJOR >= 7
@@ -361,6 +427,7 @@ struct Integrator::Machinery {
     if (stands_at_last && state.t == last.t && state.y == last.y) return;
     last = state;
     y = state.y;
+    callback.armed.assign(callback.armed.size(), false);
     std::visit([this](auto& solver) { solver.restart(last.t, vector.get()); }, memory);
     stands_at_last = true;
   }
@@ -371,7 +438,8 @@ struct Integrator::Machinery {
     const Counts before = solver.counts();
     const long evaluations_before = callback.evaluations;
     std::string reason = last.t < t_end ? head_for(solver, t_end) : "";
-    for (long n = 0; last.t < t_end && reason.empty(); ++n) {
+    hits.clear();
+    for (long n = 0; last.t < t_end && reason.empty() && hits.empty(); ++n) {
       reason = n < max_steps ? step(solver, t_end)
                              : fmt::format(
                                    "max_steps = {} were not enough to get beyond t = {} s; allow more, or widen "
@@ -380,8 +448,8 @@ struct Integrator::Machinery {
     }
     const Counts after = solver.counts();
     Outcome out;
-    out.status = reason.empty() ? Status::reached : Status::failed;
-    out.reason = std::move(reason);
+    out.status = !hits.empty() ? Status::stopped : reason.empty() ? Status::reached : Status::failed;
+    out.reason = hits.empty() ? std::move(reason) : what_happened();
     out.t = last.t;
     out.steps = after.steps - before.steps;
     out.rejections = after.rejections - before.rejections;
@@ -408,10 +476,12 @@ struct Integrator::Machinery {
   std::string step(Memory& solver, double t_end) {
     stands_at_last = false;
     callback.no_value_at.reset();
+    callback.no_event_at.reset();
     double t = last.t;
     const int flag = solver.step(last, t_end, vector.get(), t);
     if (callback.thrown) std::rethrow_exception(std::exchange(callback.thrown, nullptr));
     if (flag < 0) return stuck(fmt::format("{}: {}", Memory::name_of(flag), meaning(flag)));
+    if (flag == CV_ROOT_RETURN) return stop_at_event(solver, t);
     if (!(t > last.t)) {
       return stuck(
           "the step became too small to change the time: t + Dt = t; stop before this time, where the solution or "
@@ -424,17 +494,54 @@ struct Integrator::Machinery {
     return {};
   }
 
+  // The state is interpolated and SUNDIALS itself is beyond it: whatever the caller makes of it, the next advance
+  // starts afresh.
+  template <class Memory>
+  std::string stop_at_event(const Memory& solver, double t) {
+    last.t = t;
+    last.y = y;
+    hits = solver.hits();
+    Eigen::VectorXd here(callback.residue.size());
+    callback.events.functions(t, y, here);
+    callback.residue = (here.array().abs() <= callback.residue.array()).select(callback.residue, 0.0);
+    for (const Hit& hit : hits) {
+      const auto k = static_cast<Eigen::Index>(hit.event);
+      callback.residue[k] = 2.0 * std::abs(here[k]);
+    }
+    return {};
+  }
+
+  std::string what_happened() const {
+    std::string all;
+    for (const Hit& hit : hits) {
+      all += fmt::format("{}event {} {}", all.empty() ? "" : ", ", hit.event,
+                         hit.crossing == Direction::falling ? "falling" : "rising");
+    }
+    return all;
+  }
+
   std::string stuck(std::string_view why) const {
-    const std::string asked =
-        callback.no_value_at ? fmt::format("; the problem had no finite value at t = {} s", *callback.no_value_at) : "";
+    std::string asked;
+    if (callback.no_value_at) {
+      asked = fmt::format("; the problem had no finite value at t = {} s", *callback.no_value_at);
+    }
+    if (callback.no_event_at) {
+      asked += fmt::format("; an event function had no finite value at t = {} s", *callback.no_event_at);
+    }
     return fmt::format("at t = {} s: {}{}", last.t, why, asked);
   }
 };
 
-Integrator::Integrator(Rate rate, const Values& start, const Method& method) {
+Integrator::Integrator(Rate rate, const Values& start, const Method& method, const Events& events) {
   std::visit([](const auto& settings) { validate(settings); }, method);
+  validate(events);
   schemes::validate_run(start, start.t);
-  machinery_ = std::make_unique<Machinery>(std::move(rate), start, method);
+  if (!events.directions.empty() && !(std::holds_alternative<Adams>(method) && start.y.size() > 0)) {
+    throw std::invalid_argument(
+        fmt::format("integrator: events need the Adams methods and at least one unknown, got {} and {} unknowns",
+                    std::holds_alternative<Adams>(method) ? "Adams" : "explicit Runge-Kutta", start.y.size()));
+  }
+  machinery_ = std::make_unique<Machinery>(std::move(rate), start, method, events);
 }
 
 Integrator::Integrator(Integrator&&) noexcept = default;
@@ -469,6 +576,8 @@ Outcome Integrator::advance(schemes::Motion& state, double t_end) {
   state.r = form.y.head(state.r.size());
   return out;
 }
+
+const std::vector<Hit>& Integrator::hits() const { return machinery_->hits; }
 
 long Integrator::evaluations_by_sundials() const {
   return std::visit([](const auto& solver) { return solver.counts().evaluations; }, machinery_->memory);

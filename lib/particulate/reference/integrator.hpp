@@ -2,7 +2,9 @@
 
 #include <functional>
 #include <memory>
+#include <vector>
 
+#include <particulate/reference/events.hpp>
 #include <particulate/reference/method.hpp>
 #include <particulate/schemes/problem.hpp>
 #include <particulate/schemes/scheme.hpp>
@@ -53,38 +55,48 @@ class Integrator {
   /// @param problem  the right-hand side, of the order of the state; it must outlive the integrator
   /// @param start    where the first advance is expected to start; it fixes the number of unknowns
   /// @param method   the method and its settings
-  /// @throws std::invalid_argument if the start is not finite, its lengths differ, or a setting cannot be meant
+  /// @param events   where to stop on the way; only with Adams and at least one unknown
+  /// @throws std::invalid_argument if the start is not finite, its lengths differ, or a setting or the events cannot be
+  /// meant
   template <schemes::FirstOrderProblem P>
-  Integrator(P& problem, const schemes::Values& start, const Method& method)
-      : Integrator(rate_of(problem, start), start, method) {}
-  /// @copydoc Integrator(P&, const schemes::Values&, const Method&)
+  Integrator(P& problem, const schemes::Values& start, const Method& method, const Events& events = {})
+      : Integrator(rate_of(problem, start), start, method, events) {}
+  /// @copydoc Integrator(P&, const schemes::Values&, const Method&, const Events&)
   template <schemes::SecondOrderProblem P>
-  Integrator(P& problem, const schemes::Motion& start, const Method& method)
-      : Integrator(rate_of(problem, start), checked_form(start), method) {}
+  Integrator(P& problem, const schemes::Motion& start, const Method& method, const Events& events = {})
+      : Integrator(rate_of(problem, start), checked_form(start), method, events) {}
 
   Integrator(Integrator&&) noexcept;  ///< What was moved from can only be destroyed or assigned to.
   /// Takes over what another integrator holds. @return this integrator
   Integrator& operator=(Integrator&&) noexcept;
   ~Integrator();  ///< Returns what SUNDIALS holds.
 
-  /// Advances a state to t_end, which a step meets without interpolation.
+  /// Advances a state to t_end, which a step meets without interpolation, or to the first event before it.
   ///
   /// Given the state that the last advance left, the method goes on with its history and step. Given any other, and
   /// after a failure, it starts afresh from there, so that a caller may change the state in between. A leg's end cuts a
   /// step short, which Adams pays with small steps after it: two legs agree with one to the tolerances, not to the
   /// bits.
   ///
+  /// At an event the state is interpolated; it stands on the far side of the zero, by no more than rounding. The next
+  /// advance starts afresh from whatever the caller made of it. An event that has just stopped an advance does not stop
+  /// the next one where it starts; nor does one that is exactly zero there.
+  ///
   /// The outcome counts this advance alone. Rejections are failed error tests, steps whose corrector did not converge,
   /// and steps on which the problem had no value. Sweeps are the corrector's; contraction is not measured and stays 0.
   ///
   /// @param state  where to start; on return the state at Outcome::t. If the problem throws it stays as it was.
   /// @param t_end  the end time, not before the state's [s]
-  /// @return reached, or failed with the reason: SUNDIALS' own name for it, what it means, what to do
+  /// @return reached; stopped at an event, see hits(); or failed with the reason: SUNDIALS' own name for it, what it
+  ///         means, what to do
   /// @throws std::invalid_argument for a state that is not finite or has changed its length, and for a bad end
-  /// @throws whatever the problem throws
+  /// @throws whatever the problem or the events throw
   schemes::Outcome advance(schemes::Values& state, double t_end);
   /// @copydoc advance(schemes::Values&, double)
   schemes::Outcome advance(schemes::Motion& state, double t_end);
+
+  /// @return the events at which the last advance stopped, in the order of their functions; none if it did not stop
+  const std::vector<Hit>& hits() const;
 
   /// @return right-hand sides by SUNDIALS' own count since the method last started afresh: a check on the outcomes' [-]
   long evaluations_by_sundials() const;
@@ -92,7 +104,7 @@ class Integrator {
  private:
   struct Machinery;
 
-  Integrator(Rate rate, const schemes::Values& start, const Method& method);
+  Integrator(Rate rate, const schemes::Values& start, const Method& method, const Events& events);
   static schemes::Values checked_form(const schemes::Motion& start);
 
   std::unique_ptr<Machinery> machinery_;
