@@ -29,9 +29,10 @@ template <class P>
 struct Recorded {
   P& problem;                ///< the problem that answers; must outlive this
   Recording recording = {};  ///< what it has answered so far
+  long by_jumps = 0;         ///< right-hand sides that its jumps asked for themselves; a replay makes the jumps anew
 
-  /// @return how many right-hand sides were asked for
-  long evaluations() const { return static_cast<long>(recording.answers.size()); }
+  /// @return how many right-hand sides were asked for, by the integrator and by jumps
+  long evaluations() const { return static_cast<long>(recording.answers.size()) + by_jumps; }
 
   /// Answers and records. @see particulate::schemes::PositionProblem
   bool acceleration(double t, schemes::In r, schemes::Out a) requires schemes::PositionProblem<P> {
@@ -60,8 +61,12 @@ struct Recorded {
   }
   /// Forwards. @see particulate::schemes::Measures
   double distance(schemes::In x, schemes::In y) const requires schemes::Measures<P> { return problem.distance(x, y); }
-  /// Forwards. @see particulate::schemes::Jumps
-  schemes::Jump jump(schemes::Motion& at, double dt) requires schemes::Jumps<P> { return problem.jump(at, dt); }
+  /// Forwards, and counts what the jump asked for. @see particulate::schemes::Jumps
+  schemes::Jump jump(schemes::Motion& at, double dt) requires schemes::Jumps<P> {
+    const schemes::Jump jump = problem.jump(at, dt);
+    by_jumps += jump.evaluations;
+    return jump;
+  }
   /// Forwards. @see particulate::schemes::LocatesJumps
   template <class Path>
   std::optional<double> first_jump(const Path& path, double end) requires schemes::LocatesJumps<P, Path> {
