@@ -35,6 +35,7 @@ build libboost-test-dev     file lib*/libboost_unit_test_framework.so lib/*/libb
 build libcli11-dev          file include/CLI/CLI.hpp
 build nlohmann-json3-dev    file include/nlohmann/json.hpp
 build libtomlplusplus-dev   file include/toml++/toml.h
+build valgrind              command valgrind
 docs  doxygen               command doxygen
 docs  gnuplot-nox           command gnuplot
 docs  libjs-mathjax         file share/javascript/mathjax/MathJax.js
