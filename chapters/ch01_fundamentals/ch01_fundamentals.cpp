@@ -43,6 +43,7 @@
 #include <particulate/kinematics/central_force.hpp>
 #include <particulate/kinematics/energy.hpp>
 #include <particulate/kinematics/similarity.hpp>
+#include <particulate/report/checks.hpp>
 #include <particulate/report/command_line.hpp>
 #include <particulate/report/stamp.hpp>
 #include <particulate/report/table.hpp>
@@ -113,18 +114,8 @@ void advance(const Scene& scene, schemes::Motion& state, double t_end, Scheme& s
   if (outcome.status != schemes::Status::reached) throw std::runtime_error(outcome.reason);
 }
 
-//! What a run claims is kept in one table, with the error that was seen and the error that is allowed. Comparisons are
-//! written so that a NaN fails them.
-
-struct Checks {
-  report::Table table{{"claim", "error", "allowed", "verdict"}};
-  bool all_hold = true;
-  void add(const std::string& claim, double error, double allowed) {
-    const bool holds = std::abs(error) <= allowed;
-    all_hold = all_hold && holds;
-    table.add({claim, std::abs(error), allowed, holds ? "holds" : "FAILS"});
-  }
-};
+//! What a run claims is kept in one table, a particulate::report::Checks, with the error that was seen and the error
+//! that is allowed. Comparisons are written so that a NaN fails them.
 
 int run(int argc, char** argv) {
   Parameters p;
@@ -139,7 +130,7 @@ int run(int argc, char** argv) {
     return 2;
   }
   const report::Output output(line.common().out);
-  Checks checks;
+  report::Checks checks;
 
   //! @section ch01_curves 1. Force and potential
   //!
@@ -363,11 +354,11 @@ int run(int argc, char** argv) {
   const double resolution = step * turn_rate;
   checks.add("breathing pair by Runge-Kutta, three periods [m]", worst_runge_kutta, 0.25 * std::pow(resolution, 4));
   checks.add("breathing pair by Verlet, three periods [m]", worst_verlet, 0.05 * std::pow(0.25 * resolution, 2));
-  output.write("checks", checks.table);
+  output.write("checks", checks.table());
   line.write_parameters();
   report::write_stamp(output.folder(), report::make_stamp(line.line(), line.common().seed, "baseline"));
-  fmt::print("{}", checks.table.text());
-  return checks.all_hold ? EXIT_SUCCESS : EXIT_FAILURE;
+  fmt::print("{}", checks.table().text());
+  return checks.all_hold() ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
 }  // namespace

@@ -52,6 +52,7 @@
 #include <particulate/contact/near_field.hpp>
 #include <particulate/kinematics/energy.hpp>
 #include <particulate/kinematics/momentum.hpp>
+#include <particulate/report/checks.hpp>
 #include <particulate/report/command_line.hpp>
 #include <particulate/report/progress.hpp>
 #include <particulate/report/stamp.hpp>
@@ -135,18 +136,8 @@ kinematics::Particles cloud_of(int side, std::uint64_t seed) {
   return cloud;
 }
 
-//! What a run claims is kept in one table, with the error that was seen and the error that is allowed. Comparisons are
-//! written so that a NaN fails them.
-
-struct Checks {
-  report::Table table{{"claim", "error", "allowed", "verdict"}};
-  bool all_hold = true;
-  void add(const std::string& claim, double error, double allowed) {
-    const bool holds = std::abs(error) <= allowed;
-    all_hold = all_hold && holds;
-    table.add({claim, std::abs(error), allowed, holds ? "holds" : "FAILS"});
-  }
-};
+//! What a run claims is kept in one table, a particulate::report::Checks, with the error that was seen and the error
+//! that is allowed. Comparisons are written so that a NaN fails them.
 
 int run(int argc, char** argv) {
   Parameters p;
@@ -162,7 +153,7 @@ int run(int argc, char** argv) {
   const report::Output output(line.common().out);
   const Eigen::Vector3d n = Eigen::Vector3d::UnitX(), none = Eigen::Vector3d::Zero();
   constexpr double rounding = 1e-14;
-  Checks checks;
+  report::Checks checks;
 
   //! @section ch02_phases 1. Compression and recovery
   //!
@@ -521,11 +512,11 @@ int run(int argc, char** argv) {
   //!
   //! Where an identity is claimed, rounding is all that is allowed.
 
-  output.write("checks", checks.table);
+  output.write("checks", checks.table());
   line.write_parameters();
   report::write_stamp(output.folder(), report::make_stamp(line.line(), line.common().seed, "baseline"));
-  fmt::print("{}", checks.table.text());
-  return checks.all_hold ? EXIT_SUCCESS : EXIT_FAILURE;
+  fmt::print("{}", checks.table().text());
+  return checks.all_hold() ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
 }  // namespace
