@@ -17,16 +17,33 @@ static_assert(Controller<FixedStep>);
 
 BOOST_AUTO_TEST_SUITE(FixedStep_)
 
-BOOST_AUTO_TEST_CASE(always_wishes_its_own_step_and_no_sweep) {
-  const FixedStep control{.step = 0.125};
-  BOOST_TEST(control.dt() == 0.125);
-  BOOST_TEST(!control.goes_on(Iteration{}));
+BOOST_AUTO_TEST_CASE(always_wishes_its_own_step) { BOOST_TEST(FixedStep{.step = 0.125}.dt() == 0.125); }
+
+BOOST_AUTO_TEST_CASE(sweeps_until_rounding_or_until_a_tolerance_that_was_set) {
+  const FixedStep to_rounding{.step = 0.125, .contractions = 5}, to_tolerance{.step = 0.125, .TOL = 1e-6};
+  BOOST_TEST(to_rounding.goes_on({.w_K = 1e-6, .rate = 0.5, .K = 4, .rounding = 1e-15}));
+  BOOST_TEST(!to_rounding.goes_on({.w_K = 1e-6, .rate = 0.5, .K = 5, .rounding = 1e-15}));
+  BOOST_TEST(!to_rounding.goes_on({.w_K = 1e-15, .rate = 0.5, .K = 4, .rounding = 1e-15}));
+  BOOST_TEST(to_tolerance.goes_on({.w_K = 2e-6, .K = 4}));
+  BOOST_TEST(!to_tolerance.goes_on({.w_K = 1e-6, .K = 4}));
 }
 
-BOOST_AUTO_TEST_CASE(accepts_what_has_a_value_whatever_its_size) {
-  const Decision decision = FixedStep{.step = 0.125}.judge({.dt = 0.01, .iteration = {.w_K = 1e9, .rate = 2.0}});
+BOOST_AUTO_TEST_CASE(accepts_what_has_a_value_and_made_no_sweep) {
+  const Decision decision = FixedStep{.step = 0.125}.judge({.dt = 0.01, .iteration = {}});
   BOOST_TEST(decision.accepted);
   BOOST_TEST(decision.impossible.empty());
+}
+
+BOOST_AUTO_TEST_CASE(accepts_sweeps_that_have_settled_and_refuses_others_with_what_was_seen) {
+  const FixedStep control{.step = 0.125, .TOL = 1e-6, .contractions = 2};
+  const Iteration settled{.w_0 = 1e-2, .w_K = 1e-6, .rate = 1e-2, .K = 2, .p = 2};
+  BOOST_TEST(control.judge({.dt = 0.125, .iteration = settled}).accepted);
+  const Iteration apart{.w_0 = 1e-2, .w_K = 4e-2, .rate = 2.0, .K = 2, .p = 2};
+  const Decision refused = control.judge({.dt = 0.125, .iteration = apart});
+  BOOST_TEST(!refused.accepted);
+  BOOST_TEST((refused.failure == particulate::schemes::Failure::diverging));
+  BOOST_TEST(refused.impossible.find("diverge by a factor of 2 each at Dt = 0.125 s") != std::string::npos);
+  BOOST_TEST(refused.impossible.find("a fixed step cannot shrink") != std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(says_why_it_cannot_go_on_without_a_value) {
@@ -44,6 +61,10 @@ BOOST_AUTO_TEST_CASE(names_the_step_and_what_was_given) {
   BOOST_CHECK_NO_THROW(validate(FixedStep{.step = 1e-300}));
   BOOST_CHECK_EXCEPTION(validate(FixedStep{}), std::invalid_argument,
                         says("step must be positive and finite, got 0 s"));
+  BOOST_CHECK_EXCEPTION(validate(FixedStep{.step = 1.0, .TOL = 1e-17}), std::invalid_argument,
+                        says("fixed step: TOL must be finite and at least 2.22e-16"));
+  BOOST_CHECK_EXCEPTION(validate(FixedStep{.step = 1.0, .contractions = 0}), std::invalid_argument,
+                        says("contractions must be at least 1, got 0"));
   BOOST_CHECK_EXCEPTION(validate(FixedStep{.step = -1.0}), std::invalid_argument, says("got -1 s"));
   BOOST_CHECK_EXCEPTION(validate(FixedStep{.step = std::numeric_limits<double>::infinity()}), std::invalid_argument,
                         says("got inf s"));

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <particulate/schemes/fixed_step.hpp>
+#include <particulate/schemes/phi_family.hpp>
 #include <particulate/schemes/runge_kutta.hpp>
 #include <particulate/schemes/verlet.hpp>
 
@@ -16,7 +17,9 @@
 using boost::test_tools::tolerance;
 using particulate::schemes::Attempt;
 using particulate::schemes::attempt;
+using particulate::schemes::BackwardEuler;
 using particulate::schemes::Decision;
+using particulate::schemes::Failure;
 using particulate::schemes::FixedStep;
 using particulate::schemes::In;
 using particulate::schemes::integrate;
@@ -217,7 +220,10 @@ BOOST_AUTO_TEST_CASE(makes_no_sweep_with_an_explicit_scheme) {
   const Limited problem{1.0};
   Values to;
   Outcome booked;
-  const Iteration it = attempt(scheme, problem, one(), 0.5, to, FixedStep{.step = 0.5}, booked);
+  const Attempt made = attempt(scheme, problem, one(), 0.5, to, FixedStep{.step = 0.5}, booked);
+  BOOST_TEST(made.dt == 0.5);
+  BOOST_TEST(made.fields.empty());
+  const Iteration& it = made.iteration;
   BOOST_TEST(it.evaluated);
   BOOST_TEST(it.K == -1);
   BOOST_TEST(to.y[0] == 1.5);
@@ -228,8 +234,8 @@ BOOST_AUTO_TEST_CASE(sweeps_once_and_then_for_as_long_as_the_controller_asks) {
   const Limited problem{1.0};
   Values to;
   Outcome booked;
-  BOOST_TEST(attempt(scheme, problem, one(), 0.5, to, FixedStep{.step = 0.5}, booked).K == 0);
-  BOOST_TEST(attempt(scheme, problem, one(), 0.5, to, Halving{.step = 0.5, .smallest = 0.1}, booked).K == 2);
+  BOOST_TEST(attempt(scheme, problem, one(), 0.5, to, FixedStep{.step = 0.5}, booked).iteration.K == 0);
+  BOOST_TEST(attempt(scheme, problem, one(), 0.5, to, Halving{.step = 0.5, .smallest = 0.1}, booked).iteration.K == 2);
   BOOST_TEST(booked.sweeps == 4);
 }
 
@@ -240,7 +246,7 @@ BOOST_AUTO_TEST_CASE(does_not_take_an_infinite_state_for_a_value) {
   Outcome booked;
   BOOST_TEST(!attempt(scheme, problem, Values{0.0, Eigen::VectorXd::Constant(1, 1e200)}, 0.5, to,
                       FixedStep{.step = 0.5}, booked)
-                  .evaluated);
+                  .iteration.evaluated);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
@@ -414,6 +420,25 @@ BOOST_AUTO_TEST_CASE(tries_again_with_what_the_controller_makes_of_a_refusal) {
   BOOST_TEST(state.y[0] == 1.75);
   const std::vector<double> tried{0.5, 0.5, 0.25, 0.25, 0.125};
   BOOST_TEST(control.tried == tried, boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(says_for_a_program_too_why_it_failed) {
+  const auto failure_of = [](auto scheme, auto problem, auto state, double step) {
+    FixedStep control{.step = step, .contractions = 20};
+    return integrate(problem, state, 2.0 * state.t + 10.0, scheme, control);
+  };
+  const Outcome diverged = failure_of(BackwardEuler{}, Spring{}, displaced(), 2.0);
+  BOOST_TEST((diverged.status == Status::failed));
+  BOOST_TEST((diverged.failure == Failure::diverging));
+  BOOST_TEST(diverged.workable_step < 1.0);
+  BOOST_TEST((failure_of(BackwardEuler{}, Spring{}, displaced(), 0.9).failure == Failure::slow));
+  BOOST_TEST((failure_of(RungeKutta4{}, Limited{1.0}, one(), 0.75).failure == Failure::no_value));
+  BOOST_TEST((failure_of(RungeKutta4{}, Limited{infinity}, one(1e20), 0.75).failure == Failure::time_stands_still));
+  const Bouncing stuck{.unsettled = "it is stuck"};
+  const Outcome jumped = failure_of(VelocityVerlet{}, stuck, displaced(), 0.25);
+  BOOST_TEST((jumped.failure == Failure::unsettled_jump));
+  BOOST_TEST(std::isnan(jumped.workable_step));
+  BOOST_TEST((Outcome{}.failure == Failure::none));
 }
 
 BOOST_AUTO_TEST_CASE(counts_sweeps_and_the_largest_contraction) {

@@ -14,12 +14,15 @@ using particulate::schemes::Jump;
 using particulate::schemes::Jumps;
 using particulate::schemes::LocatesJumps;
 using particulate::schemes::Measures;
+using particulate::schemes::MeasuresFields;
 using particulate::schemes::Motion;
 using particulate::schemes::MotionProblem;
 using particulate::schemes::Out;
 using particulate::schemes::PositionProblem;
 using particulate::schemes::SecondOrderProblem;
 using particulate::schemes::Splits;
+using particulate::schemes::StaggeredProblem;
+using particulate::schemes::Values;
 using tests::close;
 
 namespace {
@@ -80,6 +83,21 @@ static_assert(PositionProblem<EverySecondOrderAbility> && !MotionProblem<EverySe
 static_assert(MotionProblem<Damped> && !PositionProblem<Damped> && SecondOrderProblem<Damped>);
 static_assert(!FirstOrderProblem<Silent> && !PositionProblem<Silent>);
 
+// Three staggered fields of one value each; a solve adds the field's number and the step. No value for field 2.
+struct Fields {
+  std::size_t fields() const { return 3; }
+  bool solve(std::size_t k, const Values& from, double dt, const Values& seen, Values& to) {
+    const auto at = static_cast<Eigen::Index>(k);
+    to.y[at] = from.y[at] + 10.0 * seen.y[at] + dt;
+    return k != 2;
+  }
+  Out part(std::size_t k, Values& state) const { return state.y.segment(static_cast<Eigen::Index>(k), 1); }
+  double distance(std::size_t k, In x, In y) const { return static_cast<double>(k) * (x - y).norm(); }
+};
+static_assert(StaggeredProblem<Counted<Fields>, Values> && MeasuresFields<Counted<Fields>> &&
+              !FirstOrderProblem<Counted<Fields>> && !Measures<Counted<Fields>>);
+static_assert(!StaggeredProblem<Counted<Damped>, Values> && !MeasuresFields<Counted<Damped>>);
+
 static_assert(FirstOrderProblem<Counted<EveryFirstOrderAbility>> && Splits<Counted<EveryFirstOrderAbility>> &&
               HasJacobian<Counted<EveryFirstOrderAbility>> && Measures<Counted<EveryFirstOrderAbility>>);
 static_assert(PositionProblem<Counted<EverySecondOrderAbility>> && Measures<Counted<EverySecondOrderAbility>> &&
@@ -119,6 +137,20 @@ BOOST_AUTO_TEST_CASE(counts_and_forwards_every_first_order_right_hand_side) {
   BOOST_TEST(close(dy, 6.0 * x, {}));
   BOOST_TEST(counted.evaluations == 3);
   BOOST_TEST(counted.jacobians == 0);
+}
+
+BOOST_AUTO_TEST_CASE(counts_and_forwards_the_solves_of_staggered_fields) {
+  Fields problem;
+  Counted<Fields> counted{problem};
+  const Values from{0.0, Eigen::Vector3d(1.0, 2.0, 3.0)}, seen{0.0, Eigen::Vector3d(4.0, 5.0, 6.0)};
+  Values to = from;
+  BOOST_TEST(counted.fields() == 3U);
+  BOOST_TEST(counted.solve(1, from, 0.5, seen, to));
+  BOOST_TEST(!counted.solve(2, from, 0.5, seen, to));
+  BOOST_TEST(counted.evaluations == 2);
+  BOOST_TEST(counted.part(1, to)[0] == 52.5);
+  BOOST_TEST(distance(counted, 2, Eigen::Vector2d(3.0, 4.0), Eigen::Vector2d(0.0, 0.0)) == 10.0);
+  BOOST_TEST(distance(Damped{}, 2, Eigen::Vector2d(3.0, 4.0), Eigen::Vector2d(0.0, 0.0)) == 7.0);
 }
 
 BOOST_AUTO_TEST_CASE(counts_jacobians_apart) {

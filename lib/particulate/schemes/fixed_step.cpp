@@ -5,19 +5,31 @@
 
 #include <fmt/format.h>
 
+#include <particulate/schemes/iteration.hpp>
+#include <particulate/schemes/phi_control.hpp>
+
 namespace particulate::schemes {
 
+bool FixedStep::settled(const Iteration& it) const { return TOL ? it.w_K <= *TOL : at_rounding(it); }
+
 Decision FixedStep::judge(const Attempt& made) const {
-  if (made.iteration.evaluated) return {.accepted = true, .impossible = {}};
-  return {.accepted = false,
-          .impossible = fmt::format("the problem has no finite value within this step of {} s, and a fixed step cannot "
-                                    "shrink: choose a smaller step, or a start where it has one",
-                                    made.dt)};
+  const Iteration& it = made.iteration;
+  if (it.evaluated && (it.K < 0 || settled(it))) return {.accepted = true};
+  Decision refused = unmet(made, TOL.value_or(it.rounding), contractions);
+  refused.impossible += it.K < 0
+                            ? ", and a fixed step cannot shrink: choose a smaller step, or a start where it has one"
+                            : ", and a fixed step cannot shrink";
+  return refused;
 }
 
 void validate(const FixedStep& control) {
   if (!(control.step > 0.0 && std::isfinite(control.step))) {
     throw std::invalid_argument(fmt::format("fixed step: step must be positive and finite, got {} s", control.step));
+  }
+  if (control.TOL) validate_tolerance("fixed step", *control.TOL);
+  if (control.contractions < 1) {
+    throw std::invalid_argument(
+        fmt::format("fixed step: contractions must be at least 1, got {}", control.contractions));
   }
 }
 

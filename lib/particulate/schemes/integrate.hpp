@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include <particulate/schemes/iteration.hpp>
 #include <particulate/schemes/scheme.hpp>
 
 namespace particulate::schemes {
@@ -51,20 +52,23 @@ struct Unobserved {
 /// @param to       receives the state at its end
 /// @param control  asked whether to sweep on
 /// @param out      gets the sweeps, and the largest contraction among them
-/// @return how the iteration went; not evaluated if the problem had no value or the new state is not finite
+/// @return the attempt and how its iteration went; not evaluated if the problem had no value or the new state is not
+///         finite
 template <class S, class P, class State, Controller C>
-Iteration attempt(S& scheme, P& problem, const State& from, double dt, State& to, const C& control, Outcome& out) {
-  Iteration it;
+Attempt attempt(S& scheme, P& problem, const State& from, double dt, State& to, const C& control, Outcome& out) {
+  Attempt made{.dt = dt, .iteration = {}};
+  Iteration& it = made.iteration;
   it.evaluated = scheme.predict(problem, from, dt, to);
   if constexpr (Iterative<S, P, State>) {
     while (it.evaluated && (it.K < 0 || control.goes_on(it))) {
       it = scheme.sweep(problem, from, dt, to);
-      out.contraction = std::max(out.contraction, it.rate);
+      ++out.sweeps;
+      if (shows_contraction(it)) out.contraction = std::max(out.contraction, it.rate);
     }
   }
-  out.sweeps += it.K + 1;
+  if constexpr (Staggers<S>) made.fields = scheme.iterations();
   it.evaluated = it.evaluated && is_finite(to);
-  return it;
+  return made;
 }
 
 /// What rounding can have made of the time of a run.
@@ -123,9 +127,10 @@ Outcome integrate(P& problem, State& state, double t_end, S& scheme, C& control,
   Outcome out;
   Counted<P> counted{problem};
   State to = state;
-  const auto end = [&](Status status, std::string reason) {
+  const auto end = [&](Status status, std::string reason, Failure failure = Failure::none) {
     out.status = status;
     out.reason = std::move(reason);
+    out.failure = failure;
     out.t = state.t;
     out.evaluations = counted.evaluations;
     return out;
@@ -133,11 +138,14 @@ Outcome integrate(P& problem, State& state, double t_end, S& scheme, C& control,
   while (state.t < t_end) {
     const double left = t_end - state.t;
     const double dt = step_towards_end(control.dt(), left, rounding_of_time(out.steps, state.t, t_end));
-    if (!(state.t + dt > state.t)) return end(Status::failed, too_small(state.t, dt));
-    const Iteration it = attempt(scheme, counted, state, dt, to, control, out);
-    Decision decision = control.judge({.dt = dt, .iteration = it});
-    if (!decision.impossible.empty()) return end(Status::failed, std::move(decision.impossible));
-    if (decision.accepted && !it.evaluated) {
+    if (!(state.t + dt > state.t)) { return end(Status::failed, too_small(state.t, dt), Failure::time_stands_still); }
+    const Attempt made = attempt(scheme, counted, state, dt, to, control, out);
+    Decision decision = control.judge(made);
+    if (!decision.impossible.empty()) {
+      out.workable_step = decision.workable;
+      return end(Status::failed, std::move(decision.impossible), decision.failure);
+    }
+    if (decision.accepted && !made.iteration.evaluated) {
       throw std::logic_error("a controller must refuse a step on which the problem had no value, but it accepted one");
     }
     if (!decision.accepted) {
@@ -154,7 +162,7 @@ Outcome integrate(P& problem, State& state, double t_end, S& scheme, C& control,
       out.overlap = std::max(out.overlap, jump.overlap);
       counted.evaluations += jump.evaluations;
       if (jump.impacts > 0 || !jump.unsettled.empty()) scheme.forget();
-      if (!jump.unsettled.empty()) return end(Status::failed, std::move(jump.unsettled));
+      if (!jump.unsettled.empty()) { return end(Status::failed, std::move(jump.unsettled), Failure::unsettled_jump); }
     }
     std::swap(state, to);
     ++out.steps;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <concepts>
+#include <cstddef>
 #include <optional>
 #include <string>
 
@@ -96,6 +97,24 @@ concept LocatesJumps = Jumps<P> && requires(P& p, const Path& path, double end) 
   { p.first_jump(path, end) } -> std::same_as<std::optional<double>>;
 };
 
+/// A problem of several coupled fields, each of which can be advanced with the others frozen: section 7.5.1.
+///
+/// `fields()` says how many. `solve(k, from, dt, seen, to)` advances field k from the state `from` over dt, with every
+/// other field as it stands in `seen`, and writes its own part of `to`, which may be the same object as `seen`; it
+/// returns whether there is a value. `part(k, state)` is the contiguous part of a state that field k owns.
+template <class P, class State>
+concept StaggeredProblem = requires(P& p, std::size_t k, const State& from, double dt, State& to) {
+  { p.fields() } -> std::same_as<std::size_t>;
+  { p.solve(k, from, dt, from, to) } -> std::same_as<bool>;
+  { p.part(k, to) } -> std::same_as<Out>;
+};
+
+/// Ability of a staggered problem: how far apart two values of one field are, `distance(k, x, y)`.
+template <class P>
+concept MeasuresFields = requires(const P& p, std::size_t k, In x, In y) {
+  { p.distance(k, x, y) } -> std::same_as<double>;
+};
+
 /// Distance of two states in the problem's own measure, in the sum of absolute values without one.
 ///
 /// @param problem  the problem, asked for `distance` if it has that ability
@@ -111,13 +130,29 @@ double distance(const P& problem, In x, In y) {
   }
 }
 
+/// Distance of two values of one field in the problem's own measure, in the sum of absolute values without one.
+///
+/// @param problem  the problem, asked for `distance` if it has that ability
+/// @param k        which field
+/// @param x        one value of it
+/// @param y        another of the same length
+/// @return distance, >= 0, in the units of the field
+template <class P>
+double distance(const P& problem, std::size_t k, In x, In y) {
+  if constexpr (MeasuresFields<P>) {
+    return problem.distance(k, x, y);
+  } else {
+    return (x - y).template lpNorm<1>();
+  }
+}
+
 /// Counts right-hand sides, and passes on everything else its problem can do.
 ///
 /// Every competitor is charged by the same counter, wherever the problem is called from.
 template <class P>
 struct Counted {
   P& problem;            ///< the problem that answers; it must outlive the counter
-  long evaluations = 0;  ///< right-hand sides asked for so far; slow and fast parts count apart [-]
+  long evaluations = 0;  ///< right-hand sides asked for so far; slow and fast parts, and fields, count apart [-]
   long jacobians = 0;    ///< Jacobians asked for so far [-]
 
   /// @cond every ability, forwarded under its own name
@@ -151,6 +186,23 @@ struct Counted {
     ++jacobians;
     problem.jacobian(t, y, J);
   }
+  /// Forwards. @see StaggeredProblem
+  std::size_t fields() const requires requires { problem.fields(); }
+  { return problem.fields(); }
+  /// Counts and forwards. @see StaggeredProblem
+  template <class State>
+  bool solve(std::size_t k, const State& from, double dt, const State& seen,
+             State& to) requires StaggeredProblem<P, State> {
+    ++evaluations;
+    return problem.solve(k, from, dt, seen, to);
+  }
+  /// Forwards. @see StaggeredProblem
+  template <class State>
+  Out part(std::size_t k, State& state) const requires StaggeredProblem<P, State> {
+    return problem.part(k, state);
+  }
+  /// Forwards. @see MeasuresFields
+  double distance(std::size_t k, In x, In y) const requires MeasuresFields<P> { return problem.distance(k, x, y); }
   /// Forwards. @see Measures
   double distance(In x, In y) const requires Measures<P> { return problem.distance(x, y); }
   /// Forwards. @see Jumps

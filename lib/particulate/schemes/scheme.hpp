@@ -2,7 +2,9 @@
 
 #include <concepts>
 #include <limits>
+#include <span>
 #include <string>
+#include <string_view>
 
 #include <particulate/schemes/problem.hpp>
 
@@ -14,15 +16,17 @@ namespace particulate::schemes {
 /// Iteration of one attempted step; of the controlling field, where several are staggered.
 ///
 /// Sweeps are numbered from 0: w_0 is the change made by the first, w_K by the last, with K contractions between. An
-/// explicit scheme makes no sweep: K stays -1.
+/// explicit scheme makes no sweep: K stays -1. See IterationMeasure for how the numbers come about.
 struct Iteration {
-  double w_0 = 0.0;       ///< change of the first sweep over the displacement of the step, 0 where nothing moves [-]
-  double w_K = 0.0;       ///< change of the last sweep over the displacement of the step, 0 where nothing moves [-]
-  double change = 0.0;    ///< the last sweep's change, not normalized, in the problem's measure
-  double rate = 0.0;      ///< the last change over the one before it: the contraction that was seen [-]
-  int K = -1;             ///< contractions so far; -1: no sweep yet [-]
-  int p = 2;              ///< contraction ~ Dt^p: 2 for second-order problems, 1 for first-order ones [-]
-  bool evaluated = true;  ///< false: the problem had no value, or no finite one, at some iterate
+  double w_0 = 0.0;             ///< change of the first sweep over the first displacement, 0 where nothing moves [-]
+  double w_K = 0.0;             ///< change of the last sweep over the first displacement, 0 where nothing moves [-]
+  double change = 0.0;          ///< the last sweep's change, not normalized, in the problem's measure
+  double rate = 0.0;            ///< the last change over the one before it: the contraction that was seen [-]
+  int K = -1;                   ///< contractions so far; -1: no sweep yet [-]
+  int p = 2;                    ///< contraction ~ Dt^p: 2 for second-order problems, 1 for first-order ones [-]
+  bool evaluated = true;        ///< false: the problem had no value, or no finite one, at some iterate
+  double rounding = 0.0;        ///< what one rounding of the state makes of w: no w below it means anything [-]
+  std::string_view field = {};  ///< where several fields are staggered, the name of this one; it outlives the run
 };
 
 /// A scheme is a value: copying it checkpoints whatever history it keeps.
@@ -56,12 +60,33 @@ struct Attempt {
   double dt;                                                     ///< the step that was tried [s]
   Iteration iteration;                                           ///< how its iteration went
   double truncation = std::numeric_limits<double>::quiet_NaN();  ///< estimated; NaN: this scheme has no estimate
+  std::span<const Iteration> fields = {};                        ///< of every field, where several are staggered
+};
+
+/// Ability of a scheme: one Iteration for each of several fields, each in units of that field's tolerance.
+template <class S>
+concept Staggers = requires(const S& s) {
+  { s.iterations() } -> std::convertible_to<std::span<const Iteration>>;
+};
+
+/// Why a run could not go on.
+enum class Failure {
+  none,               ///< it could
+  no_value,           ///< the problem has no finite value at the step's iterates
+  diverging,          ///< the sweeps drive the iterates apart
+  slow,               ///< the sweeps contract, but do not meet the tolerance in as many as are allowed
+  rounding,           ///< the tolerance asks for less than the rounding of the state
+  time_stands_still,  ///< the step is too small to change the time
+  unsettled_jump      ///< a jump of the state could not be completed
 };
 
 /// What the controller made of an attempt.
 struct Decision {
-  bool accepted;           ///< the step stands
-  std::string impossible;  ///< not empty: no smaller step is left to try, and why
+  bool accepted = false;            ///< the step stands
+  std::string impossible = {};      ///< not empty: no smaller step is left to try, and why
+  Failure failure = Failure::none;  ///< the same, for a program
+  double workable =
+      std::numeric_limits<double>::quiet_NaN();  ///< step that would have met the tolerance; NaN: unknown [s]
 };
 
 /// Chooses step sizes: `dt()` is the step to try next, `goes_on(iteration)` asks for one more sweep, `judge(attempt)`
@@ -84,16 +109,19 @@ enum class Status {
 /// What a run did. The state that it leaves belongs to time t, whatever the status.
 struct [[nodiscard]] Outcome {
   Status status = Status::reached;  ///< how it ended
-  std::string reason;               ///< why it stopped or failed: what was seen, what would have worked
-  double t = 0.0;                   ///< the time of the state that was left [s]
-  long steps = 0;                   ///< accepted steps [-]
-  long rejections = 0;              ///< steps that were refused and tried again [-]
-  long sweeps = 0;                  ///< sweeps of the iteration, in refused steps too [-]
-  long evaluations = 0;             ///< right-hand sides [-]
-  long impacts = 0;                 ///< impulses exchanged by jumps [-]
-  double contraction = 0.0;         ///< largest Iteration::rate seen [-]
-  double overlap = 0.0;             ///< deepest overlap of two bodies at the end of any step [m]
-  double energy_change = 0.0;       ///< of the kinetic energy by jumps [J]
+  std::string reason = {};          ///< why it stopped or failed: what was seen, what would have worked
+  Failure failure = Failure::none;  ///< why it failed, for a program
+  double workable_step = std::numeric_limits<double>::quiet_NaN();  ///< after a failure: the step that would have met
+                                                                    ///< the tolerance; NaN: unknown [s]
+  double t = 0.0;                                                   ///< the time of the state that was left [s]
+  long steps = 0;                                                   ///< accepted steps [-]
+  long rejections = 0;                                              ///< steps that were refused and tried again [-]
+  long sweeps = 0;             ///< sweeps of the iteration, in refused steps too [-]
+  long evaluations = 0;        ///< right-hand sides [-]
+  long impacts = 0;            ///< impulses exchanged by jumps [-]
+  double contraction = 0.0;    ///< largest Iteration::rate seen above rounding [-]
+  double overlap = 0.0;        ///< deepest overlap of two bodies at the end of any step [m]
+  double energy_change = 0.0;  ///< of the kinetic energy by jumps [J]
 };
 
 }  // namespace particulate::schemes

@@ -1,0 +1,93 @@
+#include <particulate/schemes/iteration.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+namespace particulate::schemes {
+
+namespace {
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+// Where rounding rules, the changes go up and down within some roundings.
+constexpr double some_roundings = 64.0;
+
+std::string of_field(const Iteration& it) { return it.field.empty() ? "" : fmt::format(" of field {}", it.field); }
+
+// The mean contraction of all sweeps: the last ratio alone may be one of a period of two.
+double mean_rate(const Iteration& it) { return it.K > 0 ? std::pow(it.w_K / it.w_0, 1.0 / it.K) : it.rate; }
+
+}  // namespace
+
+void IterationMeasure::begin(int p, std::string_view field) {
+  it_ = {.p = p, .field = field};
+  denominator_ = 0.0;
+}
+
+void IterationMeasure::normalize(double displacement, double size) {
+  const double rounding = epsilon * (size + displacement);
+  denominator_ = std::max(displacement, rounding);
+  it_.rounding = denominator_ > 0.0 ? rounding / denominator_ : 0.0;
+}
+
+const Iteration& IterationMeasure::record(double change) {
+  const double w = change > 0.0 ? change / denominator_ : 0.0;
+  it_.rate = it_.change > 0.0 ? change / it_.change : 0.0;
+  if (!(std::isfinite(change) && std::isfinite(w))) return no_value();
+  it_.K = waits_for_first() ? 0 : it_.K + 1;
+  if (it_.K == 0) it_.w_0 = w;
+  it_.w_K = w;
+  it_.change = change;
+  return it_;
+}
+
+const Iteration& IterationMeasure::no_value() {
+  it_.evaluated = false;
+  return it_;
+}
+
+double phi_K(const Iteration& it, double TOL, int K_d) {
+  if (it.K < 1) return std::numeric_limits<double>::quiet_NaN();
+  if (it.w_K == 0.0) return std::numeric_limits<double>::infinity();
+  return std::pow(TOL / it.w_0, 1.0 / (it.p * K_d)) / std::pow(it.w_K / it.w_0, 1.0 / (it.p * it.K));
+}
+
+bool at_rounding(const Iteration& it) {
+  return it.w_K <= it.rounding || (it.K > 0 && it.rate >= 1.0 && it.w_K <= some_roundings * it.rounding);
+}
+
+bool shows_contraction(const Iteration& it) { return !it.evaluated || it.w_K >= 1000.0 * it.rounding; }
+
+Decision unmet(const Attempt& made, double TOL, int allowed) {
+  const Iteration& it = made.iteration;
+  if (it.evaluated && at_rounding(it)) {
+    return {
+        .accepted = false,
+        .impossible = fmt::format(
+            "TOL = {:.3g} is below rounding: the sweeps{} change the state by w = {:.3g} and no less, where one "
+            "rounding of it is w = {:.3g} of the displacement at Dt = {:.3g} s; choose a larger TOL, or larger steps",
+            TOL, of_field(it), it.w_K, it.rounding, made.dt),
+        .failure = Failure::rounding};
+  }
+  if (!it.evaluated && !(it.rate > 1.0)) {
+    return {.accepted = false,
+            .impossible = fmt::format("the problem has no finite value within this step of {:.6g} s", made.dt),
+            .failure = Failure::no_value};
+  }
+  const double rate = mean_rate(it);
+  const bool contracts = it.evaluated && rate < 1.0;
+  const double workable = phi_K(it, TOL, allowed) * made.dt;
+  return {.accepted = false,
+          .impossible = fmt::format(
+              "the sweeps{} {} by a factor of {:.4g} each at Dt = {:.6g} s, w = {:.3g} after {}; TOL = {:.3g} in {} "
+              "contractions needs {}",
+              of_field(it), contracts ? "contract" : "diverge", rate, made.dt, it.w_K, it.K + 1, TOL, allowed,
+              std::isfinite(workable) ? fmt::format("about Dt = {:.4g} s", workable) : "a smaller step"),
+          .failure = contracts ? Failure::slow : Failure::diverging,
+          .workable = workable};
+}
+
+}  // namespace particulate::schemes

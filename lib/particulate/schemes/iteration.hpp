@@ -1,0 +1,93 @@
+#pragma once
+
+#include <particulate/schemes/scheme.hpp>
+
+/// @file
+/// The error measure of the iteration, and what can be told from it: section 3.3.
+
+namespace particulate::schemes {
+
+/// Keeps the normalized error of the sweeps of one attempted step.
+///
+/// \f[ w_K = \frac{\sum_i \|r_i^{K+1} - r_i^K\|}{\sum_i \|r_i^1 - r_i^L\|} \f]
+///
+/// @equation{R 3.3} The denominator is the displacement of the first sweep, frozen, so that the ratio of two errors is
+/// the ratio of two changes: an error over the latest displacement would mix both. Where a step moves hardly anything
+/// it is kept above one rounding of the state, and no change over no displacement counts as 0. Sweeps that change
+/// nothing at all (a staggered field whose partners have not moved yet) do not count: the first is the first that
+/// changes anything.
+class IterationMeasure {
+ public:
+  /// Forgets the last step.
+  ///
+  /// @param p      the exponent of Dt in the contraction, >= 1 [-]
+  /// @param field  name of the field, where several are staggered; it must outlive the measure
+  void begin(int p, std::string_view field = {});
+
+  /// Whether record() still waits for the first sweep, with its displacement and size.
+  ///
+  /// @return true until a sweep was recorded that changed something
+  bool waits_for_first() const { return it_.w_0 == 0.0; }
+
+  /// Sets what the sweeps are measured by. Called before record() as long as it waits for the first sweep.
+  ///
+  /// @param displacement  distance of the sweep's result from the start of the step, in the problem's measure
+  /// @param size          distance of the start of the step from zero: with the displacement it sets what rounding is
+  void normalize(double displacement, double size);
+
+  /// Books one sweep.
+  ///
+  /// @param change  distance of its result from what it started from, in the problem's measure
+  /// @return the iteration so far; not evaluated if the change is not finite, and then w_K and K stay those of the last
+  ///         finite sweep
+  const Iteration& record(double change);
+
+  /// Books that the problem had no value.
+  ///
+  /// @return the iteration so far, not evaluated
+  const Iteration& no_value();
+
+  /// @return the iteration so far
+  const Iteration& iteration() const { return it_; }
+  /// @return the displacement by which changes are divided
+  double unit() const { return denominator_; }
+
+ private:
+  Iteration it_;
+  double denominator_ = 0.0;
+};
+
+/// The monograph's factor between the step that was made and the one that would have met a tolerance exactly.
+///
+/// \f[ \Phi_K = \frac{(TOL/w_0)^{1/(p K_d)}}{(w_K/w_0)^{1/(p K)}} \f]
+///
+/// @equation{R 3.3} It follows from \f$ w_K = (S\,\Delta t^p)^K w_0 \f$: the step \f$ \Phi_K\,\Delta t \f$ would have
+/// met TOL after exactly \f$ K_d \f$ contractions.
+///
+/// @param it   the iteration of the step that was made
+/// @param TOL  tolerance on w, > 0 [-]
+/// @param K_d  desired contractions, >= 1 [-]
+/// @return the factor; infinite if the sweeps met their fixed point exactly; NaN if no contraction was seen [-]
+double phi_K(const Iteration& it, double TOL, int K_d);
+
+/// Whether rounding keeps the sweeps from coming any closer to their fixed point.
+///
+/// @param it  an iteration
+/// @return true if the last change is one rounding of the state, or some roundings and falling no more
+bool at_rounding(const Iteration& it);
+
+/// Whether the ratio of the last two changes is good to three digits.
+///
+/// @param it  an iteration
+/// @return true if its last change is above a thousand roundings of the state, or was not finite
+bool shows_contraction(const Iteration& it);
+
+/// What to report of an iteration that did not meet its tolerance.
+///
+/// @param made     the attempted step
+/// @param TOL      the tolerance on w [-]
+/// @param allowed  contractions that were allowed [-]
+/// @return not accepted; impossible says what was seen and what would have worked, with its Failure and step
+Decision unmet(const Attempt& made, double TOL, int allowed);
+
+}  // namespace particulate::schemes

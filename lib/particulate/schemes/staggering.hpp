@@ -1,0 +1,161 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <string_view>
+#include <vector>
+
+#include <particulate/schemes/iteration.hpp>
+#include <particulate/schemes/problem.hpp>
+
+namespace particulate::schemes {
+
+/// What the staggering scheme must know of one field.
+struct Field {
+  std::string_view name = {};  ///< for reports; it must outlive the scheme
+  double TOL = 1e-6;           ///< tolerance on the field's own w_K, at least 2.3e-16 [-]
+  int p = 1;                   ///< exponent of Dt in the contraction of a sweep over all fields, >= 1 [-]
+};
+
+/// Which values of the other fields a field sees within a sweep.
+enum class Seen {
+  newest,   ///< Gauss-Seidel: those that this sweep has just computed, where it has
+  previous  ///< Jacobi: those of the last sweep, all fields could be solved at once
+};
+
+/// Relaxes a staggered iteration by a factor that follows from its last two residuals.
+///
+/// \f[ x \leftarrow x + \omega_k f_k, \qquad f = g(x) - x, \qquad
+///     \omega_k = -\omega_{k-1}\,\frac{f_{k-1} \cdot (f_k - f_{k-1})}{\|f_k - f_{k-1}\|^2} \f]
+///
+/// Source: Aitken's method for vectors, @cite kuettler2008, equation 44. For one unknown it is the secant method: a
+/// linear map is solved in three sweeps, whether it contracts or not, unless its slope is 1.
+class Aitken {
+ public:
+  /// Forgets earlier residuals: a new step begins.
+  void forget() { omega_.reset(); }
+  /// The factor for the next iterate.
+  ///
+  /// @param residual  the map minus the iterate, in units that make all fields comparable
+  /// @return omega; 1 for the first residual [-]
+  double factor(const Eigen::VectorXd& residual);
+
+ private:
+  Eigen::VectorXd last_;
+  std::optional<double> omega_;
+};
+
+/// Staggering: several coupled fields solved in turn, the others frozen, and again until none of them changes.
+///
+/// @equation{R 7.5.1} Every field k has its own error \f$ w_K^{(k)} \f$, measured as in section 3.3, its own tolerance
+/// and exponent. iterations() gives them in units of the tolerances, so that a step is accepted if and only if
+/// \f$ \max_k w_K^{(k)}/TOL_k \le 1 \f$, and PhiControl with TOL = 1 chooses \f$ \min_k \Phi_K^{(k)}\,\Delta t \f$. The
+/// first iterate is the state at the start of the step.
+///
+/// Relaxation moves the fields that carry the iteration: all but the first, which is solved anew from the others.
+/// Errors are those of the map, before relaxation: a small factor cannot pass for convergence. The model behind \f$
+/// \Phi_K \f$ then holds only roughly. Under Jacobi there is none: its eigenvalues come in pairs of opposite sign,
+/// which no single factor can bring down.
+///
+/// The problem is a StaggeredProblem for the state; the state is Values or a struct of the problem's own, with `t`, for
+/// which `validate_run(state, t_end)` and `is_finite(state)` stand beside it.
+class Staggered {
+ public:
+  static constexpr int order = 1;  ///< of the global error where every field is solved by an Euler scheme [-]
+
+  /// @param fields      as many as the problem has, in the order in which they are solved
+  /// @param seen        which values of the others a field sees
+  /// @param relaxation  none: each sweep is taken as it is; only with Seen::newest
+  /// @throws std::invalid_argument if there is no field, a tolerance or exponent cannot be meant, or Jacobi is relaxed
+  explicit Staggered(std::vector<Field> fields, Seen seen = Seen::newest, std::optional<Aitken> relaxation = {});
+
+  /// The state at the start, at the end's time.
+  ///
+  /// @param problem  the coupled fields
+  /// @param from     state at the start
+  /// @param dt       step [s]
+  /// @param to       receives the first iterate
+  /// @return true
+  /// @throws std::invalid_argument if the problem has another number of fields
+  template <class State, class P>
+  bool predict(P& problem, const State& from, double dt, State& to) {
+    require_fields(problem.fields());
+    to = from;
+    to.t = from.t + dt;
+    measures_.resize(fields_.size());
+    starts_.resize(fields_.size());
+    olds_.resize(fields_.size());
+    for (std::size_t k = 0; k < fields_.size(); ++k) {
+      measures_[k].begin(fields_[k].p, fields_[k].name);
+      starts_[k] = problem.part(k, to);
+    }
+    if (relaxation_) relaxation_->forget();
+    collect();
+    return true;
+  }
+
+  /// One sweep over all fields.
+  ///
+  /// @param problem  the coupled fields
+  /// @param from     state at the start
+  /// @param dt       step [s]
+  /// @param to       the iterate; receives the next one
+  /// @return the iteration of the field with the largest error, in units of its tolerance
+  template <class State, class P>
+  Iteration sweep(P& problem, const State& from, double dt, State& to) {
+    for (std::size_t k = 0; k < fields_.size(); ++k) olds_[k] = problem.part(k, to);
+    std::optional<State> previous;
+    if (seen_ == Seen::previous) previous = to;
+    for (std::size_t k = 0; k < fields_.size(); ++k) {
+      if (!problem.solve(k, from, dt, previous ? *previous : to, to)) {
+        measures_[k].no_value();
+        break;
+      }
+      record(problem, k, to);
+    }
+    collect();
+    if (relaxation_ && worst().evaluated) relax(problem, to);
+    return worst();
+  }
+
+  /// @return how each field's iteration went, in units of its tolerance
+  std::span<const Iteration> iterations() const { return iterations_; }
+
+  void accept(double) {}  ///< Keeps nothing: a one-step method.
+  void forget() {}        ///< Has nothing to forget.
+
+ private:
+  void require_fields(std::size_t of_problem) const;
+  void collect();
+  const Iteration& worst() const;
+  double relaxation_factor();
+
+  template <class State, class P>
+  void record(P& problem, std::size_t k, State& to) {
+    const Eigen::VectorXd value = problem.part(k, to);
+    if (measures_[k].waits_for_first()) {
+      measures_[k].normalize(distance(problem, k, value, starts_[k]),
+                             distance(problem, k, starts_[k], Eigen::VectorXd::Zero(value.size())));
+    }
+    measures_[k].record(distance(problem, k, value, olds_[k]));
+  }
+
+  // Leaves in olds_ the residuals, and moves every field on by the same multiple of its own.
+  template <class State, class P>
+  void relax(P& problem, State& to) {
+    for (std::size_t k = first_relaxed(); k < fields_.size(); ++k) olds_[k] = problem.part(k, to) - olds_[k];
+    const double omega = relaxation_factor();
+    for (std::size_t k = first_relaxed(); k < fields_.size(); ++k) problem.part(k, to) += (omega - 1.0) * olds_[k];
+  }
+  std::size_t first_relaxed() const { return fields_.size() > 1 ? 1 : 0; }
+
+  std::vector<Field> fields_;
+  Seen seen_;
+  std::optional<Aitken> relaxation_;
+  std::vector<IterationMeasure> measures_;
+  std::vector<Iteration> iterations_;
+  std::vector<Eigen::VectorXd> starts_, olds_;
+};
+
+}  // namespace particulate::schemes

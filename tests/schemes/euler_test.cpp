@@ -1,0 +1,67 @@
+#include <particulate/schemes/euler.hpp>
+
+#include <particulate/schemes/scheme.hpp>
+
+#include "close.hpp"
+
+using particulate::schemes::ForwardEuler;
+using particulate::schemes::In;
+using particulate::schemes::Motion;
+using particulate::schemes::Out;
+using particulate::schemes::Scheme;
+using particulate::schemes::Values;
+
+namespace {
+
+// No value before t = 0.
+struct Damped {
+  bool acceleration(double t, In r, In v, Out a) const {
+    a = -2.0 * r - v;
+    return t >= 0.0;
+  }
+};
+struct Decay {
+  bool rate(double t, In y, Out dy) const {
+    dy = -3.0 * y;
+    return t >= 0.0;
+  }
+};
+
+static_assert(Scheme<ForwardEuler, Damped, Motion> && Scheme<ForwardEuler, Decay, Values>);
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(ForwardEuler_)
+
+// a = -2 - 4 = -6 at (1, 4): r = 1 + 4/4, v = 4 - 6/4.
+BOOST_AUTO_TEST_CASE(moves_on_with_the_rates_of_the_start) {
+  const Damped problem;
+  ForwardEuler scheme;
+  Motion to;
+  BOOST_TEST(
+      scheme.predict(problem, {1.0, Eigen::VectorXd::Constant(1, 1.0), Eigen::VectorXd::Constant(1, 4.0)}, 0.25, to));
+  BOOST_TEST(to.t == 1.25);
+  BOOST_TEST(to.r[0] == 2.0);
+  BOOST_TEST(to.v[0] == 2.5);
+}
+
+BOOST_AUTO_TEST_CASE(multiplies_a_decaying_value_by_one_minus_its_rate) {
+  const Decay problem;
+  ForwardEuler scheme;
+  Values to;
+  BOOST_TEST(scheme.predict(problem, {0.0, Eigen::VectorXd::Constant(1, 8.0)}, 0.25, to));
+  BOOST_TEST(to.y[0] == 2.0);
+  BOOST_TEST(to.t == 0.25);
+}
+
+BOOST_AUTO_TEST_CASE(says_that_there_is_no_value) {
+  const Decay decay;
+  const Damped damped;
+  ForwardEuler scheme;
+  Values values;
+  Motion motion;
+  BOOST_TEST(!scheme.predict(decay, {-1.0, Eigen::VectorXd::Ones(1)}, 0.25, values));
+  BOOST_TEST(!scheme.predict(damped, {-1.0, Eigen::VectorXd::Ones(1), Eigen::VectorXd::Ones(1)}, 0.25, motion));
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,209 @@
+#include <particulate/schemes/iteration.hpp>
+
+#include <cmath>
+#include <limits>
+
+#include "close.hpp"
+
+using boost::test_tools::tolerance;
+using particulate::schemes::at_rounding;
+using particulate::schemes::Attempt;
+using particulate::schemes::Decision;
+using particulate::schemes::Failure;
+using particulate::schemes::Iteration;
+using particulate::schemes::IterationMeasure;
+using particulate::schemes::phi_K;
+using particulate::schemes::shows_contraction;
+using particulate::schemes::unmet;
+
+namespace {
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// One step of displacement 4 from a start of size 12, whose sweeps change the state by 2, 1 and 1/4.
+IterationMeasure three_sweeps() {
+  IterationMeasure measure;
+  measure.begin(2);
+  measure.normalize(4.0, 12.0);
+  for (const double change : {2.0, 1.0, 0.25}) measure.record(change);
+  return measure;
+}
+
+Attempt attempt_with(const Iteration& it) { return {.dt = 0.5, .iteration = it}; }
+
+bool contains(const std::string& text, const std::string& words) { return text.find(words) != std::string::npos; }
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(IterationMeasure_)
+
+BOOST_AUTO_TEST_CASE(divides_every_change_by_the_first_displacement) {
+  const Iteration it = three_sweeps().iteration();
+  BOOST_TEST(it.w_0 == 0.5);
+  BOOST_TEST(it.w_K == 0.0625);
+  BOOST_TEST(it.K == 2);
+  BOOST_TEST(it.p == 2);
+  BOOST_TEST(it.evaluated);
+}
+
+BOOST_AUTO_TEST_CASE(takes_the_contraction_from_changes_that_are_not_normalized) {
+  const Iteration it = three_sweeps().iteration();
+  BOOST_TEST(it.change == 0.25);
+  BOOST_TEST(it.rate == 0.25);
+}
+
+BOOST_AUTO_TEST_CASE(knows_what_one_rounding_of_the_state_is) {
+  BOOST_TEST(three_sweeps().iteration().rounding == epsilon * 16.0 / 4.0);
+}
+
+BOOST_AUTO_TEST_CASE(forgets_the_last_step_when_the_next_begins) {
+  IterationMeasure measure = three_sweeps();
+  measure.begin(1, "heat");
+  BOOST_TEST(measure.waits_for_first());
+  const Iteration& it = measure.iteration();
+  BOOST_TEST(it.w_0 + it.w_K + it.change + it.rate + it.rounding == 0.0);
+  BOOST_TEST(it.K == -1);
+  BOOST_TEST(it.p == 1);
+  BOOST_TEST(it.field == "heat");
+  measure.normalize(2.0, 0.0);
+  measure.record(1.0);
+  BOOST_TEST(it.w_0 == 0.5);
+  BOOST_TEST(it.rate == 0.0);
+}
+
+BOOST_AUTO_TEST_CASE(counts_no_change_over_no_displacement_as_none) {
+  IterationMeasure measure;
+  measure.begin(2);
+  measure.normalize(0.0, 0.0);
+  const Iteration it = measure.record(0.0);
+  BOOST_TEST(it.w_0 == 0.0);
+  BOOST_TEST(it.w_K == 0.0);
+  BOOST_TEST(it.K == 0);
+  BOOST_TEST(it.evaluated);
+}
+
+BOOST_AUTO_TEST_CASE(keeps_the_displacement_above_one_rounding_of_the_state) {
+  IterationMeasure measure;
+  measure.begin(2);
+  measure.normalize(0.0, 2.0);
+  BOOST_TEST(measure.unit() == 2.0 * epsilon);
+  BOOST_TEST(measure.record(1.0).w_0 == 0.5 / epsilon);
+  BOOST_TEST(measure.iteration().rounding == 1.0);
+}
+
+BOOST_AUTO_TEST_CASE(begins_to_count_with_the_first_sweep_that_changes_anything) {
+  IterationMeasure measure;
+  measure.begin(1);
+  measure.normalize(0.0, 1.0);
+  measure.record(0.0);
+  BOOST_TEST(measure.waits_for_first());
+  measure.normalize(4.0, 1.0);
+  BOOST_TEST(measure.record(2.0).w_0 == 0.5);
+  BOOST_TEST(!measure.waits_for_first());
+  BOOST_TEST(measure.iteration().K == 0);
+  BOOST_TEST(measure.record(1.0).K == 1);
+}
+
+BOOST_AUTO_TEST_CASE(takes_no_infinite_change_for_a_value_and_keeps_the_last_finite_one) {
+  for (const double change : {infinity, std::numeric_limits<double>::quiet_NaN()}) {
+    IterationMeasure measure = three_sweeps();
+    const Iteration it = measure.record(change);
+    BOOST_TEST(!it.evaluated);
+    BOOST_TEST(it.w_K == 0.0625);
+    BOOST_TEST(it.K == 2);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(books_that_there_is_no_value) { BOOST_TEST(!three_sweeps().no_value().evaluated); }
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(phi_K_)
+
+// w_0 = 1/2, w_2 = 1/32: two contractions by 1/4, that is by (S Dt^2) with S Dt^2 = 1/4. TOL = 1/2^9 in four
+// contractions needs (S Dt^2)^4 = 2^-8, a contraction by 1/4: the step is right. In two it needs 1/16, half the step.
+BOOST_AUTO_TEST_CASE(is_what_the_model_says_when_multiplied_out_by_hand) {
+  const Iteration it{.w_0 = 0.5, .w_K = 0.03125, .K = 2, .p = 2};
+  BOOST_TEST(phi_K(it, std::ldexp(1.0, -9), 4) == 1.0, tolerance(1e-15));
+  BOOST_TEST(phi_K(it, std::ldexp(1.0, -9), 2) == 0.5, tolerance(1e-15));
+}
+
+BOOST_AUTO_TEST_CASE(moves_the_step_of_a_first_order_problem_by_the_square_of_that) {
+  const Iteration it{.w_0 = 0.5, .w_K = 0.03125, .K = 2, .p = 1};
+  BOOST_TEST(phi_K(it, std::ldexp(1.0, -9), 2) == 0.25, tolerance(1e-15));
+}
+
+BOOST_AUTO_TEST_CASE(shrinks_the_step_where_the_sweeps_diverge) {
+  const Iteration it{.w_0 = 1.0, .w_K = 16.0, .K = 2, .p = 2};
+  BOOST_TEST(phi_K(it, std::ldexp(1.0, -8), 2) == 0.125, tolerance(1e-15));
+}
+
+BOOST_AUTO_TEST_CASE(is_infinite_at_the_fixed_point_and_unknown_without_a_contraction) {
+  BOOST_TEST(phi_K({.w_0 = 0.5, .w_K = 0.0, .K = 1}, 1e-6, 10) == infinity);
+  BOOST_TEST(std::isnan(phi_K({.w_0 = 0.5, .w_K = 0.5, .K = 0}, 1e-6, 10)));
+  BOOST_TEST(std::isnan(phi_K({}, 1e-6, 10)));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(at_rounding_)
+
+BOOST_AUTO_TEST_CASE(is_one_rounding_or_some_that_fall_no_more) {
+  BOOST_TEST(at_rounding({.w_K = 1e-12, .K = 3, .rounding = 1e-12}));
+  BOOST_TEST(!at_rounding({.w_K = 2e-12, .rate = 0.9, .K = 3, .rounding = 1e-12}));
+  BOOST_TEST(at_rounding({.w_K = 2e-12, .rate = 1.0, .K = 3, .rounding = 1e-12}));
+  BOOST_TEST(!at_rounding({.w_K = 65e-12, .rate = 1.0, .K = 3, .rounding = 1e-12}));
+  BOOST_TEST(at_rounding({}));
+}
+
+BOOST_AUTO_TEST_CASE(is_far_from_where_ratios_show_a_contraction) {
+  BOOST_TEST(shows_contraction({.w_K = 1001e-12, .rounding = 1e-12}));
+  BOOST_TEST(!shows_contraction({.w_K = 999e-12, .rounding = 1e-12}));
+  BOOST_TEST(shows_contraction({.w_K = 0.0, .evaluated = false}));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(unmet_)
+
+BOOST_AUTO_TEST_CASE(says_how_slowly_the_sweeps_contract_and_what_would_do) {
+  const Decision refused = unmet(attempt_with({.w_0 = 0.5, .w_K = 0.03125, .rate = 0.25, .K = 2, .p = 2}), 1e-4, 2);
+  BOOST_TEST(!refused.accepted);
+  BOOST_TEST((refused.failure == Failure::slow));
+  BOOST_TEST(contains(refused.impossible, "contract by a factor of 0.25 each at Dt = 0.5 s"));
+  BOOST_TEST(contains(refused.impossible, "TOL = 0.0001 in 2 contractions needs about Dt = "));
+  BOOST_TEST(refused.workable == std::pow(2e-4, 0.25) / std::sqrt(0.25) * 0.5, tolerance(1e-14));
+}
+
+BOOST_AUTO_TEST_CASE(tells_divergence_from_slowness_and_names_the_field) {
+  const Decision refused =
+      unmet(attempt_with({.w_0 = 1.0, .w_K = 16.0, .rate = 4.0, .K = 2, .p = 1, .field = "heat"}), 1e-4, 2);
+  BOOST_TEST((refused.failure == Failure::diverging));
+  BOOST_TEST(contains(refused.impossible, "the sweeps of field heat diverge by a factor of 4 each"));
+  BOOST_TEST(refused.workable == 0.01 / 4.0 * 0.5, tolerance(1e-14));
+}
+
+BOOST_AUTO_TEST_CASE(knows_an_overflow_for_divergence) {
+  const Decision refused =
+      unmet(attempt_with({.w_0 = 1.0, .w_K = 1e300, .rate = infinity, .K = 3, .evaluated = false}), 1e-4, 10);
+  BOOST_TEST((refused.failure == Failure::diverging));
+  BOOST_TEST(refused.workable < 0.5e-50);
+}
+
+BOOST_AUTO_TEST_CASE(says_that_the_problem_had_no_value) {
+  const Decision refused = unmet(attempt_with({.evaluated = false}), 1e-4, 2);
+  BOOST_TEST((refused.failure == Failure::no_value));
+  BOOST_TEST(contains(refused.impossible, "no finite value within this step of 0.5 s"));
+  BOOST_TEST(std::isnan(refused.workable));
+}
+
+BOOST_AUTO_TEST_CASE(says_that_a_tolerance_is_below_rounding) {
+  const Decision refused =
+      unmet(attempt_with({.w_0 = 0.5, .w_K = 2e-12, .rate = 1.0, .K = 9, .rounding = 1e-12}), 1e-14, 10);
+  BOOST_TEST((refused.failure == Failure::rounding));
+  BOOST_TEST(contains(refused.impossible, "TOL = 1e-14 is below rounding"));
+  BOOST_TEST(contains(refused.impossible, "choose a larger TOL, or larger steps"));
+}
+
+BOOST_AUTO_TEST_SUITE_END()

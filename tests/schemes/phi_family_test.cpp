@@ -1,0 +1,232 @@
+#include <particulate/schemes/phi_family.hpp>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include <particulate/schemes/fixed_step.hpp>
+#include <particulate/schemes/integrate.hpp>
+
+#include "close.hpp"
+#include "order.hpp"
+
+using boost::test_tools::tolerance;
+using particulate::schemes::Anderson;
+using particulate::schemes::BackwardEuler;
+using particulate::schemes::Counted;
+using particulate::schemes::FixedStep;
+using particulate::schemes::In;
+using particulate::schemes::integrate;
+using particulate::schemes::Iteration;
+using particulate::schemes::Iterative;
+using particulate::schemes::Motion;
+using particulate::schemes::Out;
+using particulate::schemes::Outcome;
+using particulate::schemes::PhiFamily;
+using particulate::schemes::Picard;
+using particulate::schemes::Values;
+using tests::close;
+using tests::observed_order;
+using tests::says;
+
+namespace {
+
+struct Spring {
+  double stiffness = 1.0;
+  bool acceleration(double, In r, Out a) const {
+    a = -stiffness * r;
+    return true;
+  }
+};
+struct Drag {
+  double c = 1.0;
+  bool acceleration(double, In, In v, Out a) const {
+    a = -c * v;
+    return true;
+  }
+};
+struct Decay {
+  double c = 1.0;
+  bool rate(double, In y, Out dy) const {
+    dy = -c * y;
+    return true;
+  }
+};
+// y' = cos t - y^2 + sin^2 t, solved by sin t.
+struct Driven {
+  bool rate(double t, In y, Out dy) const {
+    dy[0] = std::cos(t) - y[0] * y[0] + std::sin(t) * std::sin(t);
+    return true;
+  }
+};
+// No value beyond t = 1.
+struct Ending {
+  bool acceleration(double t, In, Out a) const {
+    a.setZero();
+    return t <= 1.0;
+  }
+};
+
+static_assert(Iterative<BackwardEuler, Spring, Motion> && Iterative<BackwardEuler, Drag, Motion> &&
+              Iterative<PhiFamily<Anderson>, Decay, Values>);
+
+Motion at(double r, double v) { return {0.0, Eigen::VectorXd::Constant(1, r), Eigen::VectorXd::Constant(1, v)}; }
+
+// One step to rounding.
+template <class S, class P>
+Motion stepped(S scheme, P problem, Motion state, double dt) {
+  FixedStep control{.step = dt, .contractions = 100000};
+  const Outcome outcome = integrate(problem, state, state.t + dt, scheme, control);
+  BOOST_TEST_REQUIRE(outcome.reason == "");
+  return state;
+}
+
+template <class S>
+double error_of_driven(S scheme, int steps) {
+  Values state{0.0, Eigen::VectorXd::Zero(1)};
+  const Driven problem;
+  FixedStep control{.step = 1.3 / steps};
+  BOOST_REQUIRE(integrate(problem, state, 1.3, scheme, control).steps == steps);
+  return std::abs(state.y[0] - std::sin(1.3));
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(PhiFamily_)
+
+// Backward Euler on r'' = -r from (1, 2) with Dt = 1/2: r = (1 + 1)/(1 + 1/4), v = (r - 1)/(1/2).
+BOOST_AUTO_TEST_CASE(takes_the_step_of_the_monograph_at_phi_one) {
+  const Motion to = stepped(BackwardEuler{}, Spring{}, at(1.0, 2.0), 0.5);
+  BOOST_TEST(to.t == 0.5);
+  BOOST_TEST(to.r[0] == 1.6, tolerance(1e-15));
+  BOOST_TEST(to.v[0] == 1.2, tolerance(1e-15));
+}
+
+// Trapezoidal on r'' = -r, z = Dt/2 = 1/4: r = (r (1 - z^2) + 2 z v)/(1 + z^2), v = (v (1 - z^2) - 2 z r)/(1 + z^2).
+BOOST_AUTO_TEST_CASE(takes_the_trapezoidal_step_at_one_half) {
+  const Motion to = stepped(PhiFamily<>(0.5), Spring{}, at(1.0, 2.0), 0.5);
+  BOOST_TEST(to.r[0] == (0.9375 + 1.0) / 1.0625, tolerance(1e-15));
+  BOOST_TEST(to.v[0] == (1.875 - 0.5) / 1.0625, tolerance(1e-15));
+}
+
+// Unknowns R, V of one step with phi = 1/4, Dt = 1: V = 2 - (R + 3)/4, R = 1 + (V + 6)/4: R = 45/17, V = 2 - 24/17.
+BOOST_AUTO_TEST_CASE(weighs_start_and_end_by_phi) {
+  const Motion to = stepped(PhiFamily<>(0.25), Spring{}, at(1.0, 2.0), 1.0);
+  BOOST_TEST(to.r[0] == 45.0 / 17.0, tolerance(1e-14));
+  BOOST_TEST(to.v[0] == 2.0 - 24.0 / 17.0, tolerance(1e-14));
+}
+
+BOOST_AUTO_TEST_CASE(is_forward_euler_at_phi_zero) {
+  const Motion to = stepped(PhiFamily<>(0.0), Spring{}, at(1.0, 2.0), 0.5);
+  BOOST_TEST(to.r[0] == 2.0);
+  BOOST_TEST(to.v[0] == 1.5);
+}
+
+BOOST_AUTO_TEST_CASE(solves_forces_that_depend_on_velocities) {
+  const Motion to = stepped(BackwardEuler{}, Drag{0.5}, at(1.0, 3.0), 0.5);
+  BOOST_TEST(to.v[0] == 3.0 / 1.25, tolerance(1e-15));
+  BOOST_TEST(to.r[0] == 1.0 + 0.5 * 3.0 / 1.25, tolerance(1e-15));
+}
+
+// Far from the origin positions are blind to a change of the velocity that is still going on.
+BOOST_AUTO_TEST_CASE(sees_velocities_converge_where_positions_are_blind) {
+  const Motion to = stepped(BackwardEuler{}, Drag{500.0}, at(1e12, 3.0), 1e-3);
+  BOOST_TEST(to.v[0] == 3.0 / 1.5, tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_CASE(begins_with_free_flight_and_sweeps_force_then_velocity_then_position) {
+  const Spring problem;
+  BackwardEuler scheme;
+  const Motion from = at(1.0, 2.0);
+  Motion to;
+  BOOST_TEST(scheme.predict(problem, from, 0.5, to));
+  BOOST_TEST(to.r[0] == 2.0);
+  BOOST_TEST(to.v[0] == 2.0);
+  const Iteration first = scheme.sweep(problem, from, 0.5, to);
+  BOOST_TEST(to.v[0] == 1.0);
+  BOOST_TEST(to.r[0] == 1.5);
+  BOOST_TEST(first.K == 0);
+  BOOST_TEST(first.p == 2);
+  BOOST_TEST(first.w_0 == 0.5 / 0.5);
+  const Iteration second = scheme.sweep(problem, from, 0.5, to);
+  BOOST_TEST(to.r[0] == 2.0 - 0.375);
+  BOOST_TEST(second.rate == 0.25);
+  BOOST_TEST(second.w_K == 0.125 / 0.5);
+}
+
+BOOST_AUTO_TEST_CASE(knows_the_exponent_of_its_contraction) {
+  const Drag drag;
+  const Decay decay;
+  BackwardEuler scheme;
+  Motion moved;
+  scheme.predict(drag, at(1.0, 2.0), 0.5, moved);
+  BOOST_TEST(scheme.sweep(drag, at(1.0, 2.0), 0.5, moved).p == 1);
+  Values values;
+  const Values from{0.0, Eigen::VectorXd::Ones(1)};
+  scheme.predict(decay, from, 0.5, values);
+  BOOST_TEST(scheme.sweep(decay, from, 0.5, values).p == 1);
+}
+
+BOOST_AUTO_TEST_CASE(solves_first_order_problems) {
+  for (const double phi : {1.0, 0.5}) {
+    Values state{0.0, Eigen::VectorXd::Constant(1, 2.0)};
+    const Decay problem;
+    PhiFamily<> scheme(phi);
+    FixedStep control{.step = 0.5};
+    BOOST_REQUIRE(integrate(problem, state, 0.5, scheme, control).steps == 1);
+    BOOST_TEST(state.y[0] == 2.0 * (1.0 - 0.5 * (1.0 - phi)) / (1.0 + 0.5 * phi), tolerance(1e-15));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(has_order_one_and_order_two_at_one_half) {
+  const std::vector<int> steps{40, 60, 90, 135, 200};
+  const auto order_at = [&](double phi) {
+    return observed_order([=](int n) { return error_of_driven(PhiFamily<>(phi), n); }, steps);
+  };
+  BOOST_TEST(std::abs(order_at(1.0) - 1.0) <= 0.2);
+  BOOST_TEST(std::abs(order_at(0.7) - 1.0) <= 0.2);
+  BOOST_TEST(std::abs(order_at(0.5) - 2.0) <= 0.2);
+}
+
+BOOST_AUTO_TEST_CASE(comes_to_the_same_step_by_anderson_and_where_picard_diverges) {
+  for (const double phi : {1.0, 0.5}) {
+    const Motion plain = stepped(PhiFamily<>(phi), Spring{}, at(1.0, 2.0), 0.5);
+    const Motion mixed = stepped(PhiFamily<Anderson>(phi), Spring{}, at(1.0, 2.0), 0.5);
+    BOOST_TEST(close(mixed.r, plain.r, {.relative = 1e-14}));
+    BOOST_TEST(close(mixed.v, plain.v, {.relative = 1e-14}));
+  }
+  const Motion beyond = stepped(PhiFamily<Anderson>(), Spring{100.0}, at(1.0, 2.0), 0.5);
+  BOOST_TEST(beyond.r[0] == 2.0 / 26.0, tolerance(1e-12));
+  BOOST_TEST(beyond.v[0] == (beyond.r[0] - 1.0) / 0.5, tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_CASE(asks_once_a_sweep_and_for_the_start_unless_phi_is_one) {
+  for (const double phi : {1.0, 0.5}) {
+    const Spring spring;
+    Counted<const Spring> counted{spring};
+    PhiFamily<> scheme(phi);
+    Motion to;
+    scheme.predict(counted, at(1.0, 2.0), 0.5, to);
+    BOOST_TEST(counted.evaluations == (phi < 1.0 ? 1 : 0));
+    scheme.sweep(counted, at(1.0, 2.0), 0.5, to);
+    scheme.sweep(counted, at(1.0, 2.0), 0.5, to);
+    BOOST_TEST(counted.evaluations == (phi < 1.0 ? 3 : 2));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(says_that_there_is_no_value_at_the_start_or_at_an_iterate) {
+  const Ending problem;
+  Motion to, late = at(1.0, 2.0);
+  late.t = 2.0;
+  PhiFamily<> trapezoidal(0.5), backward;
+  BOOST_TEST(!trapezoidal.predict(problem, late, 0.5, to));
+  BOOST_TEST(backward.predict(problem, late, 0.5, to));
+  BOOST_TEST(!backward.sweep(problem, late, 0.5, to).evaluated);
+}
+
+BOOST_AUTO_TEST_CASE(refuses_a_weight_that_is_none) {
+  BOOST_CHECK_EXCEPTION(PhiFamily<>(1.5), std::invalid_argument, says("phi must be in [0, 1], got 1.5"));
+  BOOST_CHECK_EXCEPTION(PhiFamily<>(std::numeric_limits<double>::quiet_NaN()), std::invalid_argument, says("got nan"));
+}
+
+BOOST_AUTO_TEST_SUITE_END()

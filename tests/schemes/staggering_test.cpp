@@ -1,0 +1,169 @@
+#include <particulate/schemes/staggering.hpp>
+
+#include <cmath>
+#include <stdexcept>
+
+#include <Eigen/LU>
+
+#include <particulate/schemes/coupled_pair.hpp>
+#include <particulate/schemes/fixed_step.hpp>
+#include <particulate/schemes/integrate.hpp>
+
+#include "close.hpp"
+
+using boost::test_tools::tolerance;
+using particulate::schemes::Aitken;
+using particulate::schemes::Field;
+using particulate::schemes::FirstOrderPair;
+using particulate::schemes::FixedStep;
+using particulate::schemes::integrate;
+using particulate::schemes::Iteration;
+using particulate::schemes::Iterative;
+using particulate::schemes::Outcome;
+using particulate::schemes::SecondOrderPair;
+using particulate::schemes::Seen;
+using particulate::schemes::Staggered;
+using particulate::schemes::Staggers;
+using particulate::schemes::Values;
+using tests::close;
+using tests::says;
+
+namespace {
+
+static_assert(Iterative<Staggered, FirstOrderPair, Values> && Staggers<Staggered>);
+
+const FirstOrderPair pair{.a = (Eigen::Matrix2d() << 1.0, 2.0, 4.0, 3.0).finished()};
+const Values start{0.0, Eigen::Vector2d(5.0, 2.0)};
+
+std::vector<Field> fields(double TOL = 1e-12) { return {{"one", TOL, 2}, {"two", TOL, 2}}; }
+
+// (1 + Dt a) y = y^L, solved for both fields at once.
+Eigen::Vector2d coupled_step(const Eigen::Matrix2d& a, double dt) {
+  const Eigen::Matrix2d M = Eigen::Matrix2d::Identity() + dt * a;
+  return M.inverse() * start.y;
+}
+
+Outcome stepped(Staggered scheme, FirstOrderPair problem, double dt, Values& state) {
+  state = start;
+  FixedStep control{.step = dt, .TOL = 1.0, .contractions = 200};
+  return integrate(problem, state, dt, scheme, control);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(Aitken_)
+
+// x = g(x) = 3 - 2 x from 0: f_0 = 3; from 3: f_1 = -6; omega = -3 (-9)/81 = 1/3, and 3 - 6/3 = 1 is the fixed point.
+BOOST_AUTO_TEST_CASE(solves_a_linear_map_of_one_unknown) {
+  Aitken relaxation;
+  BOOST_TEST(relaxation.factor(Eigen::VectorXd::Constant(1, 3.0)) == 1.0);
+  BOOST_TEST(relaxation.factor(Eigen::VectorXd::Constant(1, -6.0)) == 1.0 / 3.0, tolerance(1e-15));
+  relaxation.forget();
+  BOOST_TEST(relaxation.factor(Eigen::VectorXd::Constant(1, -6.0)) == 1.0);
+}
+
+BOOST_AUTO_TEST_CASE(keeps_its_factor_where_the_residual_stands_still) {
+  Aitken relaxation;
+  relaxation.factor(Eigen::Vector2d(1.0, 2.0));
+  BOOST_TEST(relaxation.factor(Eigen::Vector2d(1.0, 2.0)) == 1.0);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(Staggered_)
+
+// Dt = 1/2 from (5, 2): Gauss-Seidel w_1 = (5 - 2)/(3/2) = 2, w_2 = (2 - 2 * 2)/(5/2) = -0.8; Jacobi sees w_1 = 5.
+BOOST_AUTO_TEST_CASE(solves_each_field_with_the_newest_or_the_previous_values) {
+  Staggered newest(fields()), previous(fields(), Seen::previous);
+  Values to;
+  BOOST_TEST(newest.predict(pair, start, 0.5, to));
+  BOOST_TEST(close(to.y, start.y, {}));
+  BOOST_TEST(to.t == 0.5);
+  newest.sweep(pair, start, 0.5, to);
+  BOOST_TEST(close(to.y, Eigen::Vector2d(2.0, -0.8), {.relative = 1e-15}));
+  previous.predict(pair, start, 0.5, to);
+  previous.sweep(pair, start, 0.5, to);
+  BOOST_TEST(close(to.y, Eigen::Vector2d(2.0, -3.2), {.relative = 1e-15}));
+}
+
+BOOST_AUTO_TEST_CASE(comes_to_the_coupled_step_either_way) {
+  for (const Seen seen : {Seen::newest, Seen::previous}) {
+    Values state;
+    BOOST_TEST(stepped(Staggered(fields(), seen), pair, 0.25, state).reason == "");
+    BOOST_TEST(close(state.y, coupled_step(pair.a, 0.25), {.relative = 1e-11}));
+  }
+}
+
+// The first sweep changes w_1 by 3 and w_2 by 2.8; both are displacements too, so w_0 = 1 of each. The second makes
+// w_1 = 5.8/1.5, changing it by 5.6/3, and w_2 = (2 - 2 * 5.8/1.5)/2.5.
+BOOST_AUTO_TEST_CASE(measures_each_field_in_units_of_its_tolerance_and_returns_the_worst) {
+  Staggered scheme({{"one", 1e-2, 2}, {"two", 1e-3, 4}});
+  Values to;
+  scheme.predict(pair, start, 0.5, to);
+  const Iteration first = scheme.sweep(pair, start, 0.5, to);
+  BOOST_TEST(first.field == "two");
+  BOOST_TEST(first.w_0 == 1e3, tolerance(1e-14));
+  BOOST_TEST(first.p == 4);
+  scheme.sweep(pair, start, 0.5, to);
+  BOOST_TEST_REQUIRE(scheme.iterations().size() == 2U);
+  BOOST_TEST(scheme.iterations()[0].field == "one");
+  BOOST_TEST(scheme.iterations()[0].w_K == 1e2 * 5.6 / 9.0, tolerance(1e-14));
+  BOOST_TEST(scheme.iterations()[0].K == 1);
+  BOOST_TEST(scheme.iterations()[1].rate == (0.8 * 5.6 / 3.0) / 2.8, tolerance(1e-14));
+}
+
+BOOST_AUTO_TEST_CASE(is_cured_of_divergence_by_relaxation) {
+  const FirstOrderPair driven{.a = (Eigen::Matrix2d() << 1.0, 3.0, -3.0, 1.0).finished()};
+  Values state;
+  BOOST_TEST(stepped(Staggered(fields()), driven, 2.0, state).reason.find("diverge") != std::string::npos);
+  const Outcome cured = stepped(Staggered(fields(), Seen::newest, Aitken{}), driven, 2.0, state);
+  BOOST_TEST(cured.reason == "");
+  BOOST_TEST(cured.sweeps <= 5);
+  BOOST_TEST(close(state.y, coupled_step(driven.a, 2.0), {.relative = 1e-12}));
+}
+
+BOOST_AUTO_TEST_CASE(says_that_a_field_has_no_value) {
+  const FirstOrderPair growing{.a = (Eigen::Matrix2d() << 0.0, 1.0, 1.0, -2.0).finished()};
+  Staggered scheme(fields());
+  Values to;
+  scheme.predict(growing, start, 0.5, to);
+  const Iteration it = scheme.sweep(growing, start, 0.5, to);
+  BOOST_TEST(!it.evaluated);
+  BOOST_TEST(it.field == "two");
+}
+
+BOOST_AUTO_TEST_CASE(counts_every_field_that_is_solved) {
+  Values state;
+  const Outcome outcome = stepped(Staggered(fields()), pair, 0.25, state);
+  BOOST_TEST(outcome.sweeps > 2);
+  BOOST_TEST(outcome.evaluations == 2 * outcome.sweeps);
+}
+
+// r = (w_1 + Dt w_1' - Dt^2 c w_2), and likewise: a 2 x 2 system, solved here by elimination.
+BOOST_AUTO_TEST_CASE(solves_fields_of_second_order) {
+  const SecondOrderPair oscillators{.c12 = 2.0, .c21 = 4.0};
+  Values state{0.0, Eigen::Vector4d(1.0, 3.0, -2.0, 5.0)};
+  Staggered scheme({{"one", 1e-14, 4}, {"two", 1e-14, 4}});
+  FixedStep control{.step = 0.25, .TOL = 1.0};
+  BOOST_TEST(integrate(oscillators, state, 0.25, scheme, control).reason == "");
+  const double free_1 = 1.75, free_2 = -0.75, h12 = 0.125, h21 = 0.25;
+  const double w_1 = (free_1 - h12 * free_2) / (1.0 - h12 * h21), w_2 = free_2 - h21 * w_1;
+  BOOST_TEST(close(state.y, Eigen::Vector4d(w_1, (w_1 - 1.0) / 0.25, w_2, (w_2 + 2.0) / 0.25), {.relative = 1e-13}));
+}
+
+BOOST_AUTO_TEST_CASE(refuses_settings_that_cannot_be_meant) {
+  const auto refuses = [](std::vector<Field> given, const char* words) {
+    BOOST_CHECK_EXCEPTION(Staggered(std::move(given)), std::invalid_argument, says(words));
+  };
+  refuses({}, "there must be at least one field, got none");
+  refuses({{"heat", 0.0, 1}}, "staggering: field heat: TOL must be finite and at least");
+  refuses({{"heat", 1e-6, 0}}, "field heat: p must be at least 1, got 0");
+  BOOST_CHECK_EXCEPTION(Staggered(fields(), Seen::previous, Aitken{}), std::invalid_argument,
+                        says("relaxation needs Seen::newest"));
+  Staggered one({{"one", 1e-6, 1}});
+  Values to;
+  BOOST_CHECK_EXCEPTION(one.predict(pair, start, 0.5, to), std::invalid_argument,
+                        says("settings for each of the problem's 2 fields, got 1"));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
