@@ -16,6 +16,7 @@
 #include <boost/test/unit_test.hpp>
 #include <particulate/contact/near_field.hpp>
 #include <particulate/kinematics/breathing.hpp>
+#include <particulate/reference/fixed_point.hpp>
 #include <particulate/scenes/scene.hpp>
 #include <particulate/schemes/fixed_step.hpp>
 #include <particulate/schemes/integrate.hpp>
@@ -24,13 +25,16 @@
 #include "close.hpp"
 
 using particulate::reference::Adams;
+using particulate::reference::Bdf;
 using particulate::reference::embedded_order;
 using particulate::reference::ExplicitRungeKutta;
+using particulate::reference::ImplicitExplicit;
 using particulate::reference::integrate;
 using particulate::reference::Integrator;
 using particulate::reference::Method;
 using particulate::reference::name;
 using particulate::reference::order;
+using particulate::reference::solve_fixed_point;
 using particulate::reference::Table;
 using particulate::reference::tables;
 using particulate::schemes::In;
@@ -52,11 +56,12 @@ bool holds(const std::string& text, const std::string& words) { return text.find
 
 bool equal(const Values& a, const Values& b) { return a.t == b.t && a.y == b.y; }
 
-// What must hold for every method: Adams and two tables, one with an embedded pair of high order.
+// What must hold for every method: Adams, BDF, and two tables, one with an embedded pair of high order.
 std::vector<Method> every_kind(double relative, double absolute) {
   return {Adams{.relative = relative, .absolute = absolute},
           ExplicitRungeKutta{.relative = relative, .absolute = absolute},
-          ExplicitRungeKutta{.table = Table::fehlberg_13_7_8, .relative = relative, .absolute = absolute}};
+          ExplicitRungeKutta{.table = Table::fehlberg_13_7_8, .relative = relative, .absolute = absolute},
+          Bdf{.relative = relative, .absolute = absolute}};
 }
 
 // y' = -y and others whose rate is one expression of t and y.
@@ -180,7 +185,9 @@ BOOST_AUTO_TEST_CASE(forces_that_depend_on_velocities_see_them) {
     Damped problem;
     Motion state{.t = 0.0, .r = Eigen::VectorXd::Constant(1, 1.0), .v = Eigen::VectorXd::Zero(1)};
     BOOST_TEST((integrate(problem, state, t, method).status == Status::reached));
-    BOOST_TEST(close(Eigen::Vector2d(state.r[0], state.v[0]), Eigen::Vector2d(r, v), {.relative = 1e-10}));
+    // BDF takes many more steps, and their errors add up.
+    const double tolerance = std::holds_alternative<Bdf>(method) ? 1e-9 : 1e-10;
+    BOOST_TEST(close(Eigen::Vector2d(state.r[0], state.v[0]), Eigen::Vector2d(r, v), {.relative = tolerance}));
   }
 }
 
@@ -399,7 +406,7 @@ BOOST_AUTO_TEST_CASE(counts_what_the_problem_and_sundials_count) {
     BOOST_TEST(first.evaluations + second.evaluations == problem.evaluations);
     BOOST_TEST(first.evaluations + second.evaluations == integrator.evaluations_by_sundials());
     BOOST_TEST((first.steps > 0 && second.steps > 0));
-    const bool iterates = std::holds_alternative<Adams>(method);
+    const bool iterates = !std::holds_alternative<ExplicitRungeKutta>(method);
     BOOST_TEST(
         (iterates ? first.sweeps >= first.steps && second.sweeps >= second.steps : first.sweeps + second.sweeps == 0));
   }
@@ -510,7 +517,8 @@ BOOST_AUTO_TEST_CASE(a_step_that_meets_none_is_tried_again_smaller) {
   for (const bool says_so : {true, false}) {
     for (const Method& method : {Method(Adams{.relative = 1e-6, .absolute = 1e-8}),
                                  Method(ExplicitRungeKutta{.relative = 1e-6, .absolute = 1e-8}),
-                                 Method(ExplicitRungeKutta{.relative = 1e-4, .absolute = 1e-8, .first_step = 0.9})}) {
+                                 Method(ExplicitRungeKutta{.relative = 1e-4, .absolute = 1e-8, .first_step = 0.9}),
+                                 Method(Bdf{.relative = 1e-6, .absolute = 1e-8})}) {
       Draining problem{.says_so = says_so};
       Values state = one(1.0);
       Integrator integrator(problem, state, method);
@@ -605,8 +613,9 @@ BOOST_AUTO_TEST_CASE(a_step_to_infinity_is_not_taken) {
 }
 
 BOOST_AUTO_TEST_CASE(a_run_that_takes_too_many_steps_stops_and_can_go_on) {
-  for (const Method& method : {Method(Adams{.max_steps = 7}), Method(ExplicitRungeKutta{.max_steps = 7}),
-                               Method(ExplicitRungeKutta{.fixed_step = 0.0625, .max_steps = 7})}) {
+  for (const Method& method :
+       {Method(Adams{.max_steps = 7}), Method(ExplicitRungeKutta{.max_steps = 7}),
+        Method(ExplicitRungeKutta{.fixed_step = 0.0625, .max_steps = 7}), Method(Bdf{.max_steps = 7})}) {
     Kepler problem;
     Motion state = orbit(0.0), whole = orbit(0.0);
     Integrator integrator(problem, state, method);
@@ -663,6 +672,21 @@ BOOST_AUTO_TEST_CASE(sundials_prints_nothing) {
     (void)integrate(decaying, b, 1.0, method);
     (void)integrate(exploding, c, 2.0, every_kind(1e-6, 1e-6)[method.index()]);
   }
+  struct SplitWalled : Walled {
+    static bool rate_slow(double t, In y, Out dy) { return rate(t, y, dy); }
+    static bool rate_fast(double, In, Out dy) {
+      dy[0] = 0.0;
+      return true;
+    }
+  } split;
+  Values state = one(0.0);
+  (void)integrate(split, state, 2.0, ImplicitExplicit{});
+  Eigen::VectorXd x = Eigen::VectorXd::Ones(1);
+  const auto diverging = [](In from, Out to) {
+    to = 2.0 * from;
+    return true;
+  };
+  (void)solve_fixed_point(diverging, x, {.max_iterations = 3});
   std::fflush(stderr);
   BOOST_REQUIRE(dup2(standard_error, 2) == 2);
   ::close(standard_error);

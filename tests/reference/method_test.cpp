@@ -10,8 +10,13 @@
 #include "close.hpp"
 
 using particulate::reference::Adams;
+using particulate::reference::additive_tables;
+using particulate::reference::AdditiveTable;
+using particulate::reference::BandedJacobian;
+using particulate::reference::Bdf;
 using particulate::reference::embedded_order;
 using particulate::reference::ExplicitRungeKutta;
+using particulate::reference::ImplicitExplicit;
 using particulate::reference::name;
 using particulate::reference::order;
 using particulate::reference::Table;
@@ -61,6 +66,16 @@ BOOST_AUTO_TEST_CASE(is_what_the_name_says) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(of_an_additive_pair_is_what_its_name_says_and_no_two_share_one) {
+  std::set<std::string_view> names;
+  for (const AdditiveTable table : additive_tables) {
+    BOOST_TEST(order(table) == name(table).back() - '0', name(table));
+    names.insert(name(table));
+  }
+  BOOST_TEST(names.size() == 5U);
+  BOOST_TEST(name(AdditiveTable::ark548l2sab_8_4_5) == "ark548l2sab_8_4_5");
+}
+
 BOOST_AUTO_TEST_CASE(refuses_what_is_no_enumerator) {
   const auto none = static_cast<Table>(99);
   const auto words = says("table must be one of the 15 enumerators, got number 99");
@@ -68,6 +83,12 @@ BOOST_AUTO_TEST_CASE(refuses_what_is_no_enumerator) {
   BOOST_CHECK_EXCEPTION(embedded_order(none), std::invalid_argument, words);
   BOOST_CHECK_EXCEPTION(name(none), std::invalid_argument, words);
   BOOST_CHECK_EXCEPTION(validate(ExplicitRungeKutta{.table = none}), std::invalid_argument, words);
+
+  const auto no_pair = static_cast<AdditiveTable>(99);
+  const auto other_words = says("implicit-explicit Runge-Kutta: table must be one of the 5 enumerators, got number 99");
+  BOOST_CHECK_EXCEPTION(order(no_pair), std::invalid_argument, other_words);
+  BOOST_CHECK_EXCEPTION(name(no_pair), std::invalid_argument, other_words);
+  BOOST_CHECK_EXCEPTION(validate(ImplicitExplicit{.table = no_pair}), std::invalid_argument, other_words);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
@@ -79,6 +100,12 @@ BOOST_AUTO_TEST_CASE(accepts_the_defaults_and_the_limits) {
   BOOST_CHECK_NO_THROW(validate(Adams{.relative = 1e-16, .absolute = 1e-300, .max_order = 1, .max_steps = 1}));
   BOOST_CHECK_NO_THROW(validate(Adams{.anderson = 5, .first_step = 1e-3, .largest_step = 1e-3}));
   BOOST_CHECK_NO_THROW(validate(ExplicitRungeKutta{}));
+  BOOST_CHECK_NO_THROW(validate(Bdf{}));
+  BOOST_CHECK_NO_THROW(validate(Bdf{.relative = 1e-16, .absolute = 1e-300, .max_order = 1, .max_steps = 1}));
+  BOOST_CHECK_NO_THROW(validate(Bdf{.jacobian = BandedJacobian{.lower = 0, .upper = 0}, .first_step = 1e-3}));
+  BOOST_CHECK_NO_THROW(validate(ImplicitExplicit{}));
+  BOOST_CHECK_NO_THROW(validate(ImplicitExplicit{.first_step = 1e-3, .largest_step = 1e-3}));
+  BOOST_CHECK_NO_THROW(validate(ImplicitExplicit{.fixed_step = 1e-3}));
   BOOST_CHECK_NO_THROW(validate(ExplicitRungeKutta{.table = Table::knoth_wolke_3_3, .fixed_step = 1e-3}));
 }
 
@@ -89,6 +116,10 @@ BOOST_AUTO_TEST_CASE(refuses_tolerances_that_cannot_be_met) {
                             says("Adams: relative must lie in [1e-16, 1)"));
       BOOST_CHECK_EXCEPTION(validate(ExplicitRungeKutta{.relative = bad}), std::invalid_argument,
                             says("explicit Runge-Kutta: relative must lie in [1e-16, 1)"));
+      BOOST_CHECK_EXCEPTION(validate(Bdf{.relative = bad}), std::invalid_argument,
+                            says("BDF: relative must lie in [1e-16, 1)"));
+      BOOST_CHECK_EXCEPTION(validate(ImplicitExplicit{.relative = bad}), std::invalid_argument,
+                            says("implicit-explicit Runge-Kutta: relative must lie in [1e-16, 1)"));
     }
   }
   BOOST_CHECK_EXCEPTION(validate(Adams{.relative = 1e-17}), std::invalid_argument, says("got 1e-17"));
@@ -98,6 +129,10 @@ BOOST_AUTO_TEST_CASE(refuses_tolerances_that_cannot_be_met) {
                             says("Adams: absolute must be positive and finite"));
       BOOST_CHECK_EXCEPTION(validate(ExplicitRungeKutta{.absolute = bad}), std::invalid_argument,
                             says("explicit Runge-Kutta: absolute must be positive and finite"));
+      BOOST_CHECK_EXCEPTION(validate(Bdf{.absolute = bad}), std::invalid_argument,
+                            says("BDF: absolute must be positive and finite"));
+      BOOST_CHECK_EXCEPTION(validate(ImplicitExplicit{.absolute = bad}), std::invalid_argument,
+                            says("implicit-explicit Runge-Kutta: absolute must be positive and finite"));
     }
   }
   BOOST_CHECK_EXCEPTION(validate(Adams{.absolute = not_a_number}), std::invalid_argument, says("got nan"));
@@ -112,10 +147,20 @@ BOOST_AUTO_TEST_CASE(refuses_steps_that_are_none) {
                             says("Adams: largest_step must be positive and finite"));
       BOOST_CHECK_EXCEPTION(validate(ExplicitRungeKutta{.fixed_step = bad}), std::invalid_argument,
                             says("explicit Runge-Kutta: fixed_step must be positive and finite"));
+      BOOST_CHECK_EXCEPTION(validate(ImplicitExplicit{.fixed_step = bad}), std::invalid_argument,
+                            says("implicit-explicit Runge-Kutta: fixed_step must be positive and finite"));
       BOOST_CHECK_EXCEPTION(validate(ExplicitRungeKutta{.first_step = bad}), std::invalid_argument,
                             says("explicit Runge-Kutta: first_step must be positive and finite"));
+      BOOST_CHECK_EXCEPTION(validate(Bdf{.first_step = bad}), std::invalid_argument,
+                            says("BDF: first_step must be positive and finite"));
+      BOOST_CHECK_EXCEPTION(validate(ImplicitExplicit{.first_step = bad}), std::invalid_argument,
+                            says("implicit-explicit Runge-Kutta: first_step must be positive and finite"));
       BOOST_CHECK_EXCEPTION(validate(ExplicitRungeKutta{.largest_step = bad}), std::invalid_argument,
                             says("explicit Runge-Kutta: largest_step must be positive and finite"));
+      BOOST_CHECK_EXCEPTION(validate(Bdf{.largest_step = bad}), std::invalid_argument,
+                            says("BDF: largest_step must be positive and finite"));
+      BOOST_CHECK_EXCEPTION(validate(ImplicitExplicit{.largest_step = bad}), std::invalid_argument,
+                            says("implicit-explicit Runge-Kutta: largest_step must be positive and finite"));
     }
   }
 }
@@ -129,6 +174,12 @@ BOOST_AUTO_TEST_CASE(refuses_settings_that_contradict_each_other) {
                         says("got one of them with fixed_step = 0.1 s; leave one out"));
   BOOST_CHECK_EXCEPTION(validate(ExplicitRungeKutta{.fixed_step = 0.1, .largest_step = 0.1}), std::invalid_argument,
                         says("got one of them with fixed_step = 0.1 s; leave one out"));
+  BOOST_CHECK_EXCEPTION(validate(Bdf{.first_step = 2.0, .largest_step = 1.0}), std::invalid_argument,
+                        says("BDF: first_step must not exceed largest_step = 1 s, got 2 s"));
+  BOOST_CHECK_EXCEPTION(validate(ImplicitExplicit{.first_step = 2.0, .largest_step = 1.0}), std::invalid_argument,
+                        says("first_step must not exceed largest_step = 1 s, got 2 s"));
+  BOOST_CHECK_EXCEPTION(validate(ImplicitExplicit{.fixed_step = 0.1, .first_step = 0.1}), std::invalid_argument,
+                        says("implicit-explicit Runge-Kutta: first_step and largest_step are for steps that vary"));
   BOOST_CHECK_EXCEPTION(validate(ExplicitRungeKutta{.table = Table::knoth_wolke_3_3}), std::invalid_argument,
                         says("knoth_wolke_3_3 has no embedded method to choose steps by; give a fixed_step"));
 }
@@ -141,6 +192,18 @@ BOOST_AUTO_TEST_CASE(refuses_numbers_out_of_range) {
                         says("anderson must not be negative, got -1"));
   BOOST_CHECK_EXCEPTION(validate(Adams{.max_steps = 0}), std::invalid_argument,
                         says("Adams: max_steps must be positive, got 0"));
+  for (const int bad : {0, 6}) {
+    BOOST_CHECK_EXCEPTION(validate(Bdf{.max_order = bad}), std::invalid_argument,
+                          says("BDF: max_order must lie in 1 ... 5, got " + std::to_string(bad)));
+  }
+  BOOST_CHECK_EXCEPTION(validate(Bdf{.jacobian = BandedJacobian{.lower = -1, .upper = 2}}), std::invalid_argument,
+                        says("BDF: half-bandwidths must not be negative, got lower -1 and upper 2"));
+  BOOST_CHECK_EXCEPTION(validate(Bdf{.jacobian = BandedJacobian{.lower = 1, .upper = -2}}), std::invalid_argument,
+                        says("got lower 1 and upper -2"));
+  BOOST_CHECK_EXCEPTION(validate(Bdf{.max_steps = 0}), std::invalid_argument,
+                        says("BDF: max_steps must be positive, got 0"));
+  BOOST_CHECK_EXCEPTION(validate(ImplicitExplicit{.max_steps = 0}), std::invalid_argument,
+                        says("implicit-explicit Runge-Kutta: max_steps must be positive, got 0"));
   BOOST_CHECK_EXCEPTION(validate(ExplicitRungeKutta{.max_steps = -5}), std::invalid_argument,
                         says("explicit Runge-Kutta: max_steps must be positive, got -5"));
 }

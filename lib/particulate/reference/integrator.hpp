@@ -1,38 +1,15 @@
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <vector>
 
 #include <particulate/reference/events.hpp>
 #include <particulate/reference/method.hpp>
+#include <particulate/reference/problem.hpp>
 #include <particulate/schemes/problem.hpp>
 #include <particulate/schemes/scheme.hpp>
 
 namespace particulate::reference {
-
-/// A right-hand side \f$ y' = f(t, y) \f$ with its problem's type erased: `rate(t, y, dy)` as in FirstOrderProblem.
-using Rate = std::function<bool(double t, schemes::In y, schemes::Out dy)>;
-
-/// The rate of a first-order problem.
-///
-/// @param problem  the right-hand side; it must outlive the rate
-/// @return its rate
-template <schemes::FirstOrderProblem P>
-Rate rate_of(P& problem, const schemes::Values&) {
-  return [&problem](double t, schemes::In y, schemes::Out dy) { return problem.rate(t, y, dy); };
-}
-
-/// The rate of a second-order problem as \f$ y = (r, v) \f$.
-///
-/// @param problem  the right-hand side; it must outlive the rate
-/// @return its rate
-template <schemes::SecondOrderProblem P>
-Rate rate_of(P& problem, const schemes::Motion&) {
-  return [&problem](double t, schemes::In y, schemes::Out dy) {
-    return schemes::FirstOrderForm<P>{problem}.rate(t, y, dy);
-  };
-}
 
 /// Positions and velocities as one vector \f$ y = (r, v) \f$.
 ///
@@ -44,10 +21,11 @@ schemes::Values first_order_form(const schemes::Motion& motion);
 ///
 /// The problem is the very object that the schemes get. Its right-hand side reads and writes the vectors of SUNDIALS in
 /// place. What the problem throws comes out of advance() as it was thrown. Where it has no value, or none that is
-/// finite, the step is tried again smaller.
+/// finite, the step is tried again smaller; so it is where a Jacobian is not finite.
 ///
-/// Accuracy has a floor of about 1e-11 (Adams) or 1e-12 (Runge-Kutta) relative, measured over ten orbits of a Kepler
-/// problem; what must hold below that needs a closed form. One integrator is for one thread; several may run at once.
+/// Accuracy has a floor of about 1e-11 (Adams), 1e-12 (explicit Runge-Kutta) or 2e-9 (BDF) relative, measured over ten
+/// orbits of a Kepler problem; what must hold below that needs a closed form. One integrator is for one thread; several
+/// may run at once.
 class Integrator {
  public:
   /// Sets a method up on a problem.
@@ -55,16 +33,17 @@ class Integrator {
   /// @param problem  the right-hand side, of the order of the state; it must outlive the integrator
   /// @param start    where the first advance is expected to start; it fixes the number of unknowns
   /// @param method   the method and its settings
-  /// @param events   where to stop on the way; only with Adams and at least one unknown
-  /// @throws std::invalid_argument if the start is not finite, its lengths differ, or a setting or the events cannot be
-  /// meant
+  /// @param events   where to stop on the way; only with Adams or Bdf, and at least one unknown
+  /// @throws std::invalid_argument if the start is not finite, its lengths differ, a setting or the events cannot be
+  /// meant, a band is as wide as the problem, or ImplicitExplicit is to solve what is no first-order problem in two
+  /// parts (schemes::Splits)
   template <schemes::FirstOrderProblem P>
   Integrator(P& problem, const schemes::Values& start, const Method& method, const Events& events = {})
-      : Integrator(rate_of(problem, start), start, method, events) {}
+      : Integrator(erased(problem, start), start, method, events) {}
   /// @copydoc Integrator(P&, const schemes::Values&, const Method&, const Events&)
   template <schemes::SecondOrderProblem P>
   Integrator(P& problem, const schemes::Motion& start, const Method& method, const Events& events = {})
-      : Integrator(rate_of(problem, start), checked_form(start), method, events) {}
+      : Integrator(erased(problem, start), checked_form(start), method, events) {}
 
   Integrator(Integrator&&) noexcept;  ///< What was moved from can only be destroyed or assigned to.
   /// Takes over what another integrator holds. @return this integrator
@@ -82,8 +61,10 @@ class Integrator {
   /// advance starts afresh from whatever the caller made of it. An event that has just stopped an advance does not stop
   /// the next one where it starts; nor does one that is exactly zero there.
   ///
-  /// The outcome counts this advance alone. Rejections are failed error tests, steps whose corrector did not converge,
-  /// and steps on which the problem had no value. Sweeps are the corrector's; contraction is not measured and stays 0.
+  /// The outcome counts this advance alone. Evaluations are right-hand sides: those of difference quotients too, and
+  /// of ImplicitExplicit each part apart. Rejections are failed error tests, steps whose nonlinear iteration did not
+  /// converge, and steps on which the problem had no value. Sweeps are the nonlinear iterations, functional or
+  /// Newton's; contraction is not measured and stays 0.
   ///
   /// @param state  where to start; on return the state at Outcome::t. If the problem throws it stays as it was.
   /// @param t_end  the end time, not before the state's [s]
@@ -104,7 +85,7 @@ class Integrator {
  private:
   struct Machinery;
 
-  Integrator(Rate rate, const schemes::Values& start, const Method& method, const Events& events);
+  Integrator(ErasedProblem problem, const schemes::Values& start, const Method& method, const Events& events);
   static schemes::Values checked_form(const schemes::Motion& start);
 
   std::unique_ptr<Machinery> machinery_;

@@ -34,16 +34,33 @@ constexpr std::array entries{Entry{Table::heun_euler_2_1_2, "heun_euler_2_1_2", 
                              Entry{Table::ark437l2sa_erk_7_3_4, "ark437l2sa_erk_7_3_4", 4, 3},
                              Entry{Table::ark548l2sab_erk_8_4_5, "ark548l2sab_erk_8_4_5", 5, 4}};
 
-const Entry& entry(Table table) {
-  const auto* const found =
-      std::find_if(entries.begin(), entries.end(), [&](const Entry& e) { return e.table == table; });
-  if (found == entries.end()) {
-    throw std::invalid_argument(
-        fmt::format("explicit Runge-Kutta: table must be one of the {} enumerators, got number {}", entries.size(),
-                    static_cast<int>(table)));
+struct AdditiveEntry {
+  AdditiveTable table;
+  std::string_view name;
+  int order;
+};
+
+constexpr std::array additive_entries{AdditiveEntry{AdditiveTable::ark324l2sa_4_2_3, "ark324l2sa_4_2_3", 3},
+                                      AdditiveEntry{AdditiveTable::ark436l2sa_6_3_4, "ark436l2sa_6_3_4", 4},
+                                      AdditiveEntry{AdditiveTable::ark437l2sa_7_3_4, "ark437l2sa_7_3_4", 4},
+                                      AdditiveEntry{AdditiveTable::ark548l2sa_8_4_5, "ark548l2sa_8_4_5", 5},
+                                      AdditiveEntry{AdditiveTable::ark548l2sab_8_4_5, "ark548l2sab_8_4_5", 5}};
+
+template <class Entries, class Enumerator>
+const auto& find(const Entries& all, Enumerator table, std::string_view kind) {
+  const auto* const found = std::find_if(all.begin(), all.end(), [&](const auto& e) { return e.table == table; });
+  if (found == all.end()) {
+    throw std::invalid_argument(fmt::format("{}: table must be one of the {} enumerators, got number {}", kind,
+                                            all.size(), static_cast<int>(table)));
   }
   return *found;
 }
+
+constexpr std::string_view explicit_kind = "explicit Runge-Kutta", additive_kind = "implicit-explicit Runge-Kutta";
+
+const Entry& entry(Table table) { return find(entries, table, explicit_kind); }
+
+const AdditiveEntry& entry(AdditiveTable table) { return find(additive_entries, table, additive_kind); }
 
 // Comparisons are written so that a NaN fails them.
 
@@ -77,11 +94,29 @@ void validate_steps(std::string_view method, const std::optional<double>& first,
     throw std::invalid_argument(fmt::format("{}: max_steps must be positive, got {}", method, max_steps));
 }
 
+template <class Settings>
+void validate_runge_kutta(std::string_view kind, const Settings& method) {
+  validate_tolerances(kind, method.relative, method.absolute);
+  validate_steps(kind, method.first_step, method.largest_step, method.max_steps);
+  validate_step(kind, "fixed_step", method.fixed_step);
+  if (method.fixed_step && (method.first_step || method.largest_step)) {
+    throw std::invalid_argument(
+        fmt::format("{}: first_step and largest_step are for steps that vary, got one of them with fixed_step = {} s; "
+                    "leave one out",
+                    kind, *method.fixed_step));
+  }
+  (void)entry(method.table);
+}
+
 }  // namespace
 
 std::string_view name(Table table) { return entry(table).name; }
 
 int order(Table table) { return entry(table).order; }
+
+std::string_view name(AdditiveTable table) { return entry(table).name; }
+
+int order(AdditiveTable table) { return entry(table).order; }
 
 int embedded_order(Table table) { return entry(table).embedded_order; }
 
@@ -106,20 +141,26 @@ void validate(const Adams& method) {
 }
 
 void validate(const ExplicitRungeKutta& method) {
-  const std::string_view kind = "explicit Runge-Kutta";
-  validate_tolerances(kind, method.relative, method.absolute);
-  validate_steps(kind, method.first_step, method.largest_step, method.max_steps);
-  validate_step(kind, "fixed_step", method.fixed_step);
-  if (method.fixed_step && (method.first_step || method.largest_step)) {
-    throw std::invalid_argument(
-        fmt::format("{}: first_step and largest_step are for steps that vary, got one of them with fixed_step = {} s; "
-                    "leave one out",
-                    kind, *method.fixed_step));
-  }
+  validate_runge_kutta(explicit_kind, method);
   if (embedded_order(method.table) == 0 && !method.fixed_step) {
-    throw std::invalid_argument(
-        fmt::format("{}: {} has no embedded method to choose steps by; give a fixed_step", kind, name(method.table)));
+    throw std::invalid_argument(fmt::format("{}: {} has no embedded method to choose steps by; give a fixed_step",
+                                            explicit_kind, name(method.table)));
   }
 }
+
+void validate(const Bdf& method) {
+  validate_tolerances("BDF", method.relative, method.absolute);
+  validate_steps("BDF", method.first_step, method.largest_step, method.max_steps);
+  if (method.max_order < 1 || method.max_order > 5) {
+    throw std::invalid_argument(fmt::format("BDF: max_order must lie in 1 ... 5, got {}", method.max_order));
+  }
+  const auto* const band = std::get_if<BandedJacobian>(&method.jacobian);
+  if (band && (band->lower < 0 || band->upper < 0)) {
+    throw std::invalid_argument(
+        fmt::format("BDF: half-bandwidths must not be negative, got lower {} and upper {}", band->lower, band->upper));
+  }
+}
+
+void validate(const ImplicitExplicit& method) { validate_runge_kutta(additive_kind, method); }
 
 }  // namespace particulate::reference

@@ -94,8 +94,79 @@ struct ExplicitRungeKutta {
   long max_steps = 1'000'000;                 ///< accepted steps that one advance may take, > 0 [-]
 };
 
+/// Newton's method solves with the full Jacobian: the problem's own (schemes::HasJacobian) if it is of first order and
+/// has one, difference quotients of its rate else, one right-hand side an unknown.
+struct DenseJacobian {};
+
+/// Newton's method solves with a band of the Jacobian, \f$ \partial f_i/\partial y_j \f$ for
+/// \f$ -\text{upper} \le i - j \le \text{lower} \f$, always of difference quotients: lower + upper + 1 right-hand
+/// sides. What lies outside is taken for zero, which costs iterations, not accuracy.
+struct BandedJacobian {
+  int lower = 1;  ///< diagonals below the main one, >= 0 and below the number of unknowns [-]
+  int upper = 1;  ///< diagonals above it, likewise [-]
+};
+
+/// How Newton's method gets its Jacobian and solves with it.
+using Jacobian = std::variant<DenseJacobian, BandedJacobian>;
+
+/// Backward differentiation formulas of variable order and step with Newton's method: CVODE, for stiff problems.
+struct Bdf {
+  double relative = 1e-10;                  ///< relative tolerance, in [1e-16, 1) [-]
+  double absolute = 1e-12;                  ///< absolute tolerance, > 0, in the units of every unknown
+  int max_order = 5;                        ///< highest order used, 1 to 5 [-]
+  Jacobian jacobian = DenseJacobian{};      ///< full or banded
+  std::optional<double> first_step = {};    ///< > 0; none: chosen by CVODE [s]
+  std::optional<double> largest_step = {};  ///< > 0, not below first_step; none: no limit [s]
+  long max_steps = 1'000'000;               ///< accepted steps that one advance may take, > 0 [-]
+};
+
+/// The additive Runge-Kutta pairs of ARKODE, an explicit and a stiffly accurate diagonally implicit method of Kennedy
+/// and Carpenter on the same nodes. A name ends in stages, order of the embedded pair, order.
+///
+/// Sources: the ARKODE manual, where each pair stands with its literature.
+enum class AdditiveTable {
+  ark324l2sa_4_2_3,  ///< ARK3(2)4L[2]SA
+  ark436l2sa_6_3_4,  ///< ARK4(3)6L[2]SA
+  ark437l2sa_7_3_4,  ///< ARK4(3)7L[2]SA
+  ark548l2sa_8_4_5,  ///< ARK5(4)8L[2]SA
+  ark548l2sab_8_4_5  ///< ARK5(4)8L[2]SA, second version
+};
+
+/// Every additive pair, in the order of its enumeration.
+inline constexpr std::array additive_tables{AdditiveTable::ark324l2sa_4_2_3, AdditiveTable::ark436l2sa_6_3_4,
+                                            AdditiveTable::ark437l2sa_7_3_4, AdditiveTable::ark548l2sa_8_4_5,
+                                            AdditiveTable::ark548l2sab_8_4_5};
+
+/// Name of an additive pair, spelled as its enumerator.
+///
+/// @param table  a pair
+/// @return its name, such as "ark548l2sa_8_4_5"
+/// @throws std::invalid_argument for a value that is no enumerator
+std::string_view name(AdditiveTable table);
+
+/// Order of the solution that an additive pair advances.
+///
+/// @param table  a pair
+/// @return order of its global error [-]
+/// @throws std::invalid_argument for a value that is no enumerator
+int order(AdditiveTable table);
+
+/// An additive Runge-Kutta pair: ARKODE, for first-order problems in two parts (schemes::Splits).
+///
+/// The slow part is explicit. The fast one is implicit, by Newton's method with a full Jacobian of difference quotients
+/// of that part; its iteration ends at a tenth of the tolerances.
+struct ImplicitExplicit {
+  AdditiveTable table = AdditiveTable::ark436l2sa_6_3_4;  ///< the pair
+  double relative = 1e-10;                                ///< relative tolerance, in [1e-16, 1) [-]
+  double absolute = 1e-12;                                ///< absolute tolerance, > 0, in the units of every unknown
+  std::optional<double> fixed_step = {};  ///< > 0, but for what is left of an advance; tolerances are Newton's only [s]
+  std::optional<double> first_step = {};  ///< > 0, not with fixed_step; none: chosen by ARKODE [s]
+  std::optional<double> largest_step = {};  ///< > 0, not below first_step, not with fixed_step; none: no limit [s]
+  long max_steps = 1'000'000;               ///< accepted steps that one advance may take, > 0 [-]
+};
+
 /// Any reference method.
-using Method = std::variant<Adams, ExplicitRungeKutta>;
+using Method = std::variant<Adams, ExplicitRungeKutta, Bdf, ImplicitExplicit>;
 
 /// Refuses settings that cannot be meant. Called once, where a method enters an integrator.
 ///
@@ -104,5 +175,9 @@ using Method = std::variant<Adams, ExplicitRungeKutta>;
 void validate(const Adams& method);
 /// @copydoc validate(const Adams&)
 void validate(const ExplicitRungeKutta& method);
+/// @copydoc validate(const Adams&)
+void validate(const Bdf& method);
+/// @copydoc validate(const Adams&)
+void validate(const ImplicitExplicit& method);
 
 }  // namespace particulate::reference
