@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <particulate/schemes/fixed_step.hpp>
+#include <particulate/schemes/phi_control.hpp>
 #include <particulate/schemes/phi_family.hpp>
 #include <particulate/schemes/runge_kutta.hpp>
 #include <particulate/schemes/verlet.hpp>
@@ -29,6 +30,7 @@ using particulate::schemes::Jump;
 using particulate::schemes::Motion;
 using particulate::schemes::Out;
 using particulate::schemes::Outcome;
+using particulate::schemes::PhiControl;
 using particulate::schemes::rounding_of_time;
 using particulate::schemes::RungeKutta4;
 using particulate::schemes::Status;
@@ -57,6 +59,11 @@ struct Explosion {
     dy = y.cwiseAbs2();
     return true;
   }
+};
+
+// No value anywhere.
+struct Hole {
+  bool acceleration(double, In, Out) const { return false; }
 };
 
 // y' = 1 as long as t is not beyond a limit.
@@ -439,6 +446,19 @@ BOOST_AUTO_TEST_CASE(says_for_a_program_too_why_it_failed) {
   BOOST_TEST((jumped.failure == Failure::unsettled_jump));
   BOOST_TEST(std::isnan(jumped.workable_step));
   BOOST_TEST((Outcome{}.failure == Failure::none));
+}
+
+BOOST_AUTO_TEST_CASE(keeps_the_reason_of_the_last_refusal_until_no_step_is_left) {
+  Motion state = displaced();
+  const Hole problem;
+  BackwardEuler scheme;
+  PhiControl control{.step = 0.5, .limit = 0.5};
+  state.t = 1.0;
+  const Outcome outcome = integrate(problem, state, 2.0, scheme, control);
+  BOOST_TEST((outcome.failure == Failure::no_value));
+  BOOST_TEST(outcome.rejections > 40);
+  BOOST_TEST(outcome.reason.find("no step is small enough") != std::string::npos);
+  BOOST_TEST(outcome.reason.find("the problem has no finite value within this step") != std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(counts_sweeps_and_the_largest_contraction) {

@@ -83,13 +83,13 @@ BOOST_AUTO_TEST_CASE(counts_no_change_over_no_displacement_as_none) {
   BOOST_TEST(it.evaluated);
 }
 
-BOOST_AUTO_TEST_CASE(keeps_the_displacement_above_one_rounding_of_the_state) {
+BOOST_AUTO_TEST_CASE(measures_a_motion_that_is_all_but_at_rest_by_the_size_of_the_state) {
   IterationMeasure measure;
   measure.begin(2);
   measure.normalize(0.0, 2.0);
-  BOOST_TEST(measure.unit() == 2.0 * epsilon);
-  BOOST_TEST(measure.record(1.0).w_0 == 0.5 / epsilon);
-  BOOST_TEST(measure.iteration().rounding == 1.0);
+  BOOST_TEST(measure.unit() == 2e-8);
+  BOOST_TEST(measure.record(1.0).w_0 == 0.5e8);
+  BOOST_TEST(measure.iteration().rounding == epsilon / 1e-8);
 }
 
 BOOST_AUTO_TEST_CASE(begins_to_count_with_the_first_sweep_that_changes_anything) {
@@ -152,9 +152,16 @@ BOOST_AUTO_TEST_SUITE(at_rounding_)
 BOOST_AUTO_TEST_CASE(is_one_rounding_or_some_that_fall_no_more) {
   BOOST_TEST(at_rounding({.w_K = 1e-12, .K = 3, .rounding = 1e-12}));
   BOOST_TEST(!at_rounding({.w_K = 2e-12, .rate = 0.9, .K = 3, .rounding = 1e-12}));
-  BOOST_TEST(at_rounding({.w_K = 2e-12, .rate = 1.0, .K = 3, .rounding = 1e-12}));
-  BOOST_TEST(!at_rounding({.w_K = 65e-12, .rate = 1.0, .K = 3, .rounding = 1e-12}));
+  BOOST_TEST(at_rounding({.w_0 = 1.0, .w_K = 2e-12, .rate = 1.0, .K = 3, .rounding = 1e-12}));
+  BOOST_TEST(!at_rounding({.w_0 = 1.0, .w_K = 65e-12, .rate = 1.0, .K = 3, .rounding = 1e-12}));
+  BOOST_TEST(!at_rounding({.w_0 = 1e-12, .w_K = 2e-12, .rate = 1.0, .K = 3, .rounding = 1e-12}));
   BOOST_TEST(at_rounding({}));
+}
+
+// A factor of 1/2 every hundred sweeps is one of 0.993 each, which repeats a rounding 145 times.
+BOOST_AUTO_TEST_CASE(allows_for_roundings_that_slow_sweeps_repeat) {
+  BOOST_TEST(at_rounding({.w_0 = 1.0, .w_K = std::ldexp(1.0, -40), .rate = 1.0, .K = 4000, .rounding = 1e-16}));
+  BOOST_TEST(!at_rounding({.w_0 = 1.0, .w_K = std::ldexp(1.0, -40), .rate = 1.0, .K = 40, .rounding = 1e-16}));
 }
 
 BOOST_AUTO_TEST_CASE(is_far_from_where_ratios_show_a_contraction) {

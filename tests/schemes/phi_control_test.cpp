@@ -49,6 +49,7 @@ BOOST_AUTO_TEST_CASE(shrinks_by_phi_after_a_failure_and_asks_for_the_step_again)
   const Decision refused = now.judge({.dt = 0.5, .iteration = contracting(0.4)});
   BOOST_TEST(!refused.accepted);
   BOOST_TEST(refused.impossible.empty());
+  BOOST_TEST(refused.refusal.find("contract by a factor of 0.4") != std::string::npos);
   BOOST_TEST(now.dt() == 0.25, tolerance(1e-14));
 }
 

@@ -16,7 +16,7 @@ Decision FixedStep::judge(const Attempt& made) const {
   const Iteration& it = made.iteration;
   if (it.evaluated && (it.K < 0 || settled(it))) return {.accepted = true};
   Decision refused = unmet(made, TOL.value_or(it.rounding), contractions);
-  refused.impossible += it.K < 0
+  refused.impossible += refused.failure == Failure::no_value
                             ? ", and a fixed step cannot shrink: choose a smaller step, or a start where it has one"
                             : ", and a fixed step cannot shrink";
   return refused;

@@ -46,7 +46,13 @@ bool is_finite(const Motion& state) { return std::isfinite(state.t) && state.r.a
 
 bool is_finite(const Values& state) { return std::isfinite(state.t) && state.y.allFinite(); }
 
-std::string too_small(double t, double dt) {
+std::string too_small(double t, double dt, const std::string& refusal) {
+  if (!refusal.empty()) {
+    return fmt::format(
+        "at t = {} s no step is small enough, down to Dt = {:.3g} s that changes the time no more; the "
+        "last one refused: {}",
+        t, dt, refusal);
+  }
   return fmt::format(
       "the step must change the time, but t + Dt = t with t = {} s and Dt = {} s: choose a larger step, or count time "
       "from nearer the start",

@@ -100,10 +100,11 @@ inline double step_towards_end(double wished, double left, double rounding) {
 
 /// Why a run cannot go on from here with this step.
 ///
-/// @param t   the time reached [s]
-/// @param dt  the step [s]
+/// @param t        the time reached [s]
+/// @param dt       the step [s]
+/// @param refusal  why larger steps were refused; empty: they were not
 /// @return the reason, with what was given and what to do
-std::string too_small(double t, double dt);
+std::string too_small(double t, double dt, const std::string& refusal = {});
 
 /// Advances a state to t_end: the loop that every scheme, controller and problem share.
 ///
@@ -135,10 +136,14 @@ Outcome integrate(P& problem, State& state, double t_end, S& scheme, C& control,
     out.evaluations = counted.evaluations;
     return out;
   };
+  Decision last;  // why the step that is tried again was refused
   while (state.t < t_end) {
     const double left = t_end - state.t;
     const double dt = step_towards_end(control.dt(), left, rounding_of_time(out.steps, state.t, t_end));
-    if (!(state.t + dt > state.t)) { return end(Status::failed, too_small(state.t, dt), Failure::time_stands_still); }
+    if (!(state.t + dt > state.t)) {
+      return last.refusal.empty() ? end(Status::failed, too_small(state.t, dt), Failure::time_stands_still)
+                                  : end(Status::failed, too_small(state.t, dt, last.refusal), last.failure);
+    }
     const Attempt made = attempt(scheme, counted, state, dt, to, control, out);
     Decision decision = control.judge(made);
     if (!decision.impossible.empty()) {
@@ -150,8 +155,10 @@ Outcome integrate(P& problem, State& state, double t_end, S& scheme, C& control,
     }
     if (!decision.accepted) {
       ++out.rejections;
+      last = std::move(decision);
       continue;
     }
+    last = {};
     if (dt == left) to.t = t_end;
     scheme.accept(dt);
     const bool go_on = observer(std::as_const(state), std::as_const(to), dt, std::as_const(scheme));

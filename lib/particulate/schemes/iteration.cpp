@@ -12,6 +12,9 @@ namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
+// A step that moves everything by less than this share of its size is as good as none.
+constexpr double at_rest = 1e-8;
+
 // Where rounding rules, the changes go up and down within some roundings.
 constexpr double some_roundings = 64.0;
 
@@ -28,9 +31,9 @@ void IterationMeasure::begin(int p, std::string_view field) {
 }
 
 void IterationMeasure::normalize(double displacement, double size) {
-  const double rounding = epsilon * (size + displacement);
-  denominator_ = std::max(displacement, rounding);
-  it_.rounding = denominator_ > 0.0 ? rounding / denominator_ : 0.0;
+  const double whole = size + displacement;
+  denominator_ = std::max(displacement, at_rest * whole);
+  it_.rounding = denominator_ > 0.0 ? epsilon * whole / denominator_ : 0.0;
 }
 
 const Iteration& IterationMeasure::record(double change) {
@@ -56,7 +59,9 @@ double phi_K(const Iteration& it, double TOL, int K_d) {
 }
 
 bool at_rounding(const Iteration& it) {
-  return it.w_K <= it.rounding || (it.K > 0 && it.rate >= 1.0 && it.w_K <= some_roundings * it.rounding);
+  if (it.w_K <= it.rounding) return true;
+  if (!(it.K > 0 && it.rate >= 1.0 && it.w_K < it.w_0)) return false;
+  return it.w_K * (1.0 - mean_rate(it)) <= some_roundings * it.rounding;
 }
 
 bool shows_contraction(const Iteration& it) { return !it.evaluated || it.w_K >= 1000.0 * it.rounding; }

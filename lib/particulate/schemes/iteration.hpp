@@ -12,8 +12,9 @@ namespace particulate::schemes {
 /// \f[ w_K = \frac{\sum_i \|r_i^{K+1} - r_i^K\|}{\sum_i \|r_i^1 - r_i^L\|} \f]
 ///
 /// @equation{R 3.3} The denominator is the displacement of the first sweep, frozen, so that the ratio of two errors is
-/// the ratio of two changes: an error over the latest displacement would mix both. Where a step moves hardly anything
-/// it is kept above one rounding of the state, and no change over no displacement counts as 0. Sweeps that change
+/// the ratio of two changes: an error over the latest displacement would mix both. It is kept above 1e-8 of the size of
+/// the state, the sum of the distances from zero: the errors of a motion that has all but come to rest are measured by
+/// that, or rounding would be taken for them; and no change over no displacement counts as 0. Sweeps that change
 /// nothing at all (a staggered field whose partners have not moved yet) do not count: the first is the first that
 /// changes anything.
 class IterationMeasure {
@@ -72,8 +73,10 @@ double phi_K(const Iteration& it, double TOL, int K_d);
 
 /// Whether rounding keeps the sweeps from coming any closer to their fixed point.
 ///
+/// Sweeps that contract by q repeat the rounding of each by 1/(1 - q).
+///
 /// @param it  an iteration
-/// @return true if the last change is one rounding of the state, or some roundings and falling no more
+/// @return true if the last change is one rounding of the state, or falls no more and is some of these repeated ones
 bool at_rounding(const Iteration& it);
 
 /// Whether the ratio of the last two changes is good to three digits.

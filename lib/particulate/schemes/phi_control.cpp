@@ -5,6 +5,7 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -38,7 +39,9 @@ Decision PhiControl::judge(const Attempt& made) {
     return refused;
   }
   step = next;
-  return {.accepted = false};
+  refused.refusal = std::move(refused.impossible);
+  refused.impossible.clear();
+  return refused;
 }
 
 // The wish of the most demanding field; NaN if nothing was measured.

@@ -84,6 +84,7 @@ enum class Failure {
 struct Decision {
   bool accepted = false;            ///< the step stands
   std::string impossible = {};      ///< not empty: no smaller step is left to try, and why
+  std::string refusal = {};         ///< why a step that is to be tried again was refused
   Failure failure = Failure::none;  ///< the same, for a program
   double workable =
       std::numeric_limits<double>::quiet_NaN();  ///< step that would have met the tolerance; NaN: unknown [s]

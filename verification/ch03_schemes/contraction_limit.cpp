@@ -1,0 +1,273 @@
+// On both sides of the step at which sweeps stop contracting, and far beyond it.
+
+#include <cmath>
+#include <string>
+
+#include <fmt/format.h>
+
+#include <ch01_fundamentals/motions.hpp>
+#include <ch01_fundamentals/starts.hpp>
+#include <harness/case.hpp>
+#include <particulate/schemes/phi_control.hpp>
+#include <particulate/schemes/phi_family.hpp>
+#include <particulate/schemes/verlet.hpp>
+
+#include "endings.hpp"
+#include "linear_problems.hpp"
+
+namespace {
+
+using namespace particulate;
+using namespace particulate::schemes;
+using namespace verification;
+
+constexpr double omega = 8.0;
+constexpr int plenty = 20000;  // contractions: 0.998^14000 = 1e-12
+
+const Motion start = motion(0.6, 3.2);
+
+// Three steps of a spring, or the reason why not; the answer against Cramer's rule.
+template <class S, class C>
+Ending spring(S scheme, C control, double phi, double t_end, double tolerance, const std::string& because) {
+  Oscillators problem = oscillator(omega);
+  Motion state = start, exact = start;
+  const auto follow = [&](const Motion&, const Motion&, double dt, const S&) {
+    exact = phi_step(phi, omega, dt, exact);
+    return true;
+  };
+  const Outcome outcome = integrate(problem, state, t_end, scheme, control, follow);
+  if (outcome.status != Status::reached) return Ending::refused(outcome.reason);
+  return Ending::solved({.error = apart(omega, state, exact), .tolerance = tolerance, .because = because});
+}
+
+Ending at_fixed_step(double phi, double x) {
+  return spring(BackwardEuler(phi), FixedStep{.step = x / omega, .TOL = 1e-12, .contractions = plenty}, phi,
+                3.0 * x / omega, 3.0 * 500.0 * 1e-12,
+                "three steps, each of whose sweeps stop within TOL of each other, at most 1/(1 - 0.998) = 500 times "
+                "nearer than their limit");
+}
+
+// The limit of the sweeps from both sides.
+void compare_limit(Rows& rows, double phi, double limit) {
+  const double below = limit * (1.0 - 1e-3), above = limit * (1.0 + 1e-3);
+  rows.must_be_solved(fmt::format("omega dt = {}, phi = {}", below, phi), [=] { return at_fixed_step(phi, below); });
+  rows.must_be_refused(fmt::format("omega dt = {}, phi = {}", above, phi), "diverge 1.002 Dt",
+                       [=] { return at_fixed_step(phi, above); });
+
+  Oscillators problem = oscillator(omega);
+  Motion state = start;
+  BackwardEuler scheme(phi);
+  FixedStep control{.step = above / omega, .TOL = 1e-6, .contractions = 100};
+  const Outcome outcome = integrate(problem, state, 1.0, scheme, control);
+  rows.equal(fmt::format("state left after the refusal, phi = {}, components that moved", phi),
+             {.expected = 0,
+              .computed = static_cast<int>(state.r[0] != start.r[0]) + static_cast<int>(state.v[0] != start.v[0]) +
+                          static_cast<int>(state.t != 0.0) + static_cast<int>(outcome.t != 0.0),
+              .because = "a refused step leaves no trace"});
+  rows.compare(fmt::format("contraction reported at omega dt = {}, phi = {}", above, phi),
+               {.expected = 1.001 * 1.001,
+                .computed = outcome.contraction,
+                .tolerance = relative(1e-12),
+                .because = "ratios of changes that grow, a few roundings each"});
+  // The step whose sweeps take (phi omega dt)^(2 K) from w_0 to TOL; w_0 is that of the refused step.
+  const Motion flight = motion(start.r[0] + above / omega * start.v[0], start.v[0]);
+  const double a_end = -omega * omega * flight.r[0], a_start = -omega * omega * start.r[0];
+  const double kick = phi * std::pow(above / omega, 2) * (phi * a_end + (1.0 - phi) * a_start);
+  const double w_0 = std::abs(kick) / std::abs(flight.r[0] + kick - start.r[0]);
+  rows.compare(fmt::format("workable step, phi = {}, over that of the limit", phi),
+               {.expected = std::pow(1e-6 / w_0, 1.0 / 200.0),
+                .computed = outcome.workable_step * omega / limit,
+                .tolerance = relative(1e-12),
+                .because = "roots of ratios near 1, some roundings"});
+}
+
+const Case contraction_limit{
+    {.name = "contraction_limit",
+     .claim = "phi = 1 needs omega dt < 1 and phi = 1/2 needs omega dt < 2; beyond, the sweeps are refused with the "
+              "contraction that was seen and the step that would have worked",
+     .equation = "R 3.3",
+     .reference = Reference::closed_form},
+    [](Rows& rows) {
+      compare_limit(rows, 1.0, 1.0);
+      compare_limit(rows, 0.5, 2.0);
+      rows.must_be_solved("omega dt = 1.001, phi = 1, Anderson", [] {
+        return spring(PhiFamily<Anderson>(1.0), FixedStep{.step = 1.001 / omega}, 1.0, 3.003 / omega, 1e-14,
+                      "one unknown: the secant of a linear map ends at rounding, three steps");
+      });
+      rows.must_be_solved("omega dt = 50, phi = 1/2, Anderson", [] {
+        return spring(PhiFamily<Anderson>(0.5), FixedStep{.step = 50.0 / omega}, 0.5, 150.0 / omega, 625.0 * 64.0 * eps,
+                      "one unknown: the secant of a linear map ends at rounding, which a map with a slope of 625 "
+                      "magnifies");
+      });
+    }};
+
+// With r = 1, v = 0 Verlet's positions are cos(n theta), 2 cos(theta) = 2 - x^2; beyond x = 2 a growing cosh.
+double verlet(double x, long steps, double& largest) {
+  Oscillators problem = oscillator(x * 64.0);
+  Motion state = motion(1.0, 0.0);
+  VelocityVerlet scheme;
+  FixedStep control{.step = 1.0 / 64.0};
+  const auto watch = [&](const Motion&, const Motion& to, double, const VelocityVerlet&) {
+    keep_worst(largest, std::abs(to.r[0]));
+    return true;
+  };
+  require_reached(integrate(problem, state, static_cast<double>(steps) / 64.0, scheme, control, watch));
+  return state.r[0];
+}
+
+const Case verlet_limit{
+    {.name = "verlet_limit",
+     .claim = "the explicit Verlet scheme is stable for omega dt < 2 too: no step that phi = 1/2 can take by its "
+              "sweeps is too large for it",
+     .equation = "R 3.3",
+     .reference = Reference::closed_form},
+    [](Rows& rows) {
+      constexpr double below = 2.0 - 2e-3, above = 2.0 + 2e-3;
+      double largest = 0.0, grown = 0.0;
+      verlet(below, 10000, largest);
+      rows.at_most("largest |r| over 10000 steps at omega dt = 1.998, released from 1",
+                   {.limit = 1.0 + 1e-9,
+                    .computed = largest,
+                    .because = "cos(n theta); roundings add up over a step to 1/(1 - x^2/4)^(1/2) = 22 of them"});
+      const double r = verlet(above, 200, grown);
+      rows.compare("ln |r| after 200 steps at omega dt = 2.002, released from 1",
+                   {.expected = std::log(std::cosh(200.0 * std::acosh(above * above / 2.0 - 1.0))),
+                    .computed = std::log(std::abs(r)),
+                    .tolerance = absolute(200.0 * 8.0 * eps / (above * above / 4.0 - 1.0)),
+                    .because = "some roundings a step, and arcosh near 1 magnifies those of its argument"});
+    }};
+
+// Steps a thousand times too large; sweeps that would have to go on below rounding; nothing to sweep on.
+template <class C>
+Ending near_field(const kinematics::Particles& particles, C control, double t_end) {
+  NearFieldScene scene(particles, {}, {.alpha1 = 0.5, .alpha2 = 0.25});
+  Motion state = scenes::start(scene);
+  BackwardEuler scheme;
+  return ending_of(integrate(scene, state, t_end, scheme, control));
+}
+
+// Two bodies whose free flight ends where they meet.
+kinematics::Particles meeting() {
+  kinematics::Particles pair = pair_at_rest(1.0, 1.0, 2.0);
+  pair.velocity = -pair.position;
+  return pair;
+}
+
+// A spring whose rest lies far from the origin: positions are rounded to 1e-10.
+struct FarSpring {
+  bool acceleration(double, In r, Out a) const {
+    a = -omega * omega * (r.array() - 1e6);
+    return true;
+  }
+};
+
+void refuse(Rows& rows) {
+  rows.must_be_refused("omega dt = 1000 at a fixed step", "diverge 1e+06 Dt", [] { return at_fixed_step(1.0, 1e3); });
+  rows.must_be_refused("omega dt = 1000, Phi_K control that may not go below 900", "diverge Dt smallest", [] {
+    return spring(BackwardEuler{}, PhiControl{.step = 125.0, .limit = 125.0, .smallest = 112.5}, 1.0, 250.0, 0.0,
+                  "it should not come to this");
+  });
+  const auto with_tolerance = [](double TOL) {
+    return spring(BackwardEuler{}, FixedStep{.step = 0.1 / omega, .TOL = TOL}, 1.0, 0.1 / omega, 0.0,
+                  "it should not come to this");
+  };
+  rows.must_be_refused("TOL = 1e-17", "TOL 2.22e-16 1e-17", [=] { return with_tolerance(1e-17); });
+  rows.must_be_refused("TOL = NaN", "TOL nan", [=] { return with_tolerance(missing); });
+  const auto far_away = [](auto control) {
+    FarSpring problem;
+    Motion state = motion(1e6, 3.2);
+    BackwardEuler scheme;
+    return ending_of(integrate(problem, state, 5.0, scheme, control));
+  };
+  rows.must_be_refused("TOL = 1e-12 of a displacement of 1e-7 positions, fixed step", "TOL rounding larger",
+                       [=] { return far_away(FixedStep{.step = 0.98 / omega, .TOL = 1e-12}); });
+  rows.must_be_refused("TOL = 1e-12 of a displacement of 1e-7 positions, Phi_K control", "TOL rounding larger", [=] {
+    return far_away(PhiControl{.TOL = 1e-12, .K_d = 500, .step = 0.98 / omega, .limit = 0.98 / omega});
+  });
+}
+
+void refuse_near_fields(Rows& rows) {
+  rows.must_be_refused("coincident particles, fixed step", "no finite value smaller step",
+                       [] { return near_field(pair_at_rest(1.0, 1.0, 0.0), FixedStep{.step = 0.1}, 1.0); });
+  rows.must_be_refused("coincident particles, Phi_K control", "no finite value smallest", [] {
+    return near_field(pair_at_rest(1.0, 1.0, 0.0), PhiControl{.step = 0.1, .limit = 0.1, .smallest = 1e-6}, 1.0);
+  });
+  rows.must_be_refused("first guess where particles coincide, fixed step", "no finite value smaller step",
+                       [] { return near_field(meeting(), FixedStep{.step = 1.0}, 2.0); });
+  kinematics::Particles lost = pair_at_rest(1.0, 1.0, 1.0);
+  lost.position(1, 2) = missing;
+  rows.must_be_refused("particle at NaN", "position finite nan",
+                       [=] { return near_field(lost, FixedStep{.step = 0.1}, 1.0); });
+  rows.must_be_refused("motion that starts at NaN", "positions must start finite nan", [] {
+    Oscillators problem = oscillator(1.0);
+    Motion state = motion(missing, 0.0);
+    BackwardEuler scheme;
+    PhiControl control{.step = 0.1, .limit = 0.1};
+    return ending_of(integrate(problem, state, 1.0, scheme, control));
+  });
+}
+
+// A vessel that drains, y' = -sqrt(y): its level has a rate as long as it is not negative. Backward Euler asks for
+// s^2 + Dt s = y with s the root of the new level.
+struct Draining {
+  bool rate(double, In y, Out dy) const {
+    dy = -y.array().sqrt();
+    return y[0] >= 0.0;
+  }
+};
+
+template <class C>
+Ending drain(C control) {
+  Draining problem;
+  Values state{.t = 0.0, .y = Eigen::VectorXd::Ones(1)};
+  double exact = 1.0;
+  BackwardEuler scheme;
+  const auto follow = [&](const Values&, const Values&, double dt, const BackwardEuler&) {
+    exact = std::pow((std::sqrt(dt * dt + 4.0 * exact) - dt) / 2.0, 2);
+    return true;
+  };
+  const Outcome outcome = integrate(problem, state, 1.5, scheme, control, follow);
+  if (outcome.status != Status::reached) return Ending::refused(outcome.reason);
+  return Ending::solved({.error = std::abs(state.y[0] / exact - 1.0),
+                         .tolerance = 1e-10,
+                         .because = "less than a hundred steps, each within TOL = 1e-12 of its backward Euler step"});
+}
+
+const Case extremes_of_sweeps{
+    {.name = "extremes_of_sweeps",
+     .claim = "steps a thousand times too large shrink until they are solved, or are refused with the contraction; a "
+              "tolerance below rounding and a start without a value are refused",
+     .equation = "R 3.4",
+     .reference = Reference::closed_form},
+    [](Rows& rows) {
+      rows.must_be_solved("omega dt = 1000 at first, Phi_K control", [] {
+        return spring(BackwardEuler{}, PhiControl{.TOL = 1e-12, .K_d = 20, .step = 125.0, .limit = 125.0}, 1.0, 2.0,
+                      100.0 * 1e-12, "less than a hundred steps, each within TOL of its backward Euler step");
+      });
+      rows.must_be_solved("first guess where particles coincide, Phi_K control", [] {
+        NearFieldScene scene(meeting(), {}, {.alpha1 = 0.5, .alpha2 = 0.25});
+        Motion state = scenes::start(scene);
+        BackwardEuler scheme;
+        PhiControl control{.TOL = 1e-12, .K_d = 20, .step = 1.0, .limit = 1.0};
+        double worst = 0.0;
+        const auto check = [&](const Motion& from, const Motion& to, double dt, const BackwardEuler&) {
+          keep_worst(worst, defect(scene, from, to, dt) / (to.r - from.r).lpNorm<Eigen::Infinity>());
+          return true;
+        };
+        const Outcome outcome = integrate(scene, state, 2.0, scheme, control, check);
+        if (outcome.status != Status::reached) return Ending::refused(outcome.reason);
+        return Ending::solved({.error = worst,
+                               .tolerance = 1e-11,
+                               .because = "the equation of backward Euler holds within a few TOL of every step's "
+                                          "displacement"});
+      });
+      // The second iterate is 1 - 1.5.
+      rows.must_be_solved("second iterate where the rate has no value, Phi_K control",
+                          [] { return drain(PhiControl{.TOL = 1e-12, .K_d = 20, .step = 1.5, .limit = 1.5}); });
+      rows.must_be_refused("second iterate where the rate has no value, fixed step", "no finite value smaller step",
+                           [] { return drain(FixedStep{.step = 1.5}); });
+      refuse(rows);
+      refuse_near_fields(rows);
+    }};
+
+}  // namespace

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <harness/rows.hpp>
+#include <particulate/schemes/scheme.hpp>
+
+/// @file
+/// How runs end that should not get to their end.
+
+namespace verification {
+
+/// What ends an attempt that should not have got so far.
+inline Ending accepted() { return Ending::solved({.error = 0.0, .tolerance = 0.0, .because = "it was accepted"}); }
+
+/// A refusal with its reason, or an acceptance that should not have been.
+inline Ending ending_of(const particulate::schemes::Outcome& outcome) {
+  return outcome.status == particulate::schemes::Status::failed ? Ending::refused(outcome.reason) : accepted();
+}
+
+/// How far a step is from the equation of backward Euler, \f$ r' = r + \Delta t\,v + \Delta t^2 a(r') \f$.
+template <class P>
+double defect(P& problem, const particulate::schemes::Motion& from, const particulate::schemes::Motion& to, double dt) {
+  Eigen::VectorXd a(to.r.size());
+  if (!problem.acceleration(to.t, to.r, a)) return missing;
+  const Eigen::VectorXd residual = to.r - from.r - dt * from.v - dt * dt * a;
+  return residual.lpNorm<Eigen::Infinity>();
+}
+
+}  // namespace verification

@@ -1,0 +1,128 @@
+// Orders on problems of first order, where time enters the right-hand side, and of staggered fields.
+
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <ch01_fundamentals/motions.hpp>
+#include <harness/case.hpp>
+#include <particulate/schemes/coupled_pair.hpp>
+#include <particulate/schemes/euler.hpp>
+#include <particulate/schemes/phi_family.hpp>
+#include <particulate/schemes/runge_kutta.hpp>
+#include <particulate/schemes/staggering.hpp>
+
+namespace {
+
+using namespace particulate::schemes;
+using namespace verification;
+
+// y' = -2 t y^2 with y(0) = 1: y = 1/(1 + t^2). Both t and y must be taken where the scheme says.
+struct Bell {
+  bool rate(double t, In y, Out dy) const {
+    dy = -2.0 * t * y.array().square();
+    return true;
+  }
+};
+
+// Errors at the end of five refinements by 3/2.
+struct Errors {
+  std::vector<double> steps, errors;
+};
+
+template <class S, class P>
+Errors refine(P problem, const Values& start, const Eigen::VectorXd& exact, double t_end, long coarsest,
+              const S& scheme) {
+  Errors found;
+  for (long n = coarsest; found.steps.size() < 5; n = n * 3 / 2) {
+    Values state = start;
+    S fresh = scheme;
+    FixedStep control{.step = t_end / static_cast<double>(n)};
+    require_reached(integrate(problem, state, t_end, fresh, control));
+    found.steps.push_back(t_end / static_cast<double>(n));
+    found.errors.push_back((state.y - exact).norm() / exact.norm());
+  }
+  return found;
+}
+
+template <class S>
+void compare_bell(Rows& rows, const std::string& method, double order, long coarsest, const S& scheme) {
+  constexpr double t_end = 1.7;
+  const Values start{.t = 0.0, .y = Eigen::VectorXd::Ones(1)};
+  const Eigen::VectorXd exact = Eigen::VectorXd::Constant(1, 1.0 / (1.0 + t_end * t_end));
+  const Errors found = refine(Bell{}, start, exact, t_end, coarsest, scheme);
+  rows.order(method, {.nominal = order,
+                      .steps = found.steps,
+                      .errors = found.errors,
+                      .floor = 1e-15,
+                      .because = "a smooth right-hand side that depends on time, sweeps to rounding"});
+}
+
+const Case order_values{{.name = "order_values",
+                         .claim = "on a problem of first order every scheme has its order, neither less nor more",
+                         .equation = "M 3.3",
+                         .reference = Reference::convergence},
+                        [](Rows& rows) {
+                          compare_bell(rows, "forward Euler", 1.0, 200, ForwardEuler{});
+                          compare_bell(rows, "backward Euler", 1.0, 200, BackwardEuler{});
+                          compare_bell(rows, "backward Euler, Anderson", 1.0, 200, PhiFamily<Anderson>{});
+                          compare_bell(rows, "phi = 0.7", 1.0, 200, BackwardEuler(0.7));
+                          compare_bell(rows, "phi = 1/2", 2.0, 100, BackwardEuler(0.5));
+                          compare_bell(rows, "phi = 1/2, Anderson", 2.0, 100, PhiFamily<Anderson>(0.5));
+                          compare_bell(rows, "RK4", 4.0, 20, RungeKutta4{});
+                        }};
+
+// exp(-A t) y for a matrix whose eigenvalues are mean -+ i spin.
+Eigen::Vector2d decayed(const Eigen::Matrix2d& A, double t, const Eigen::Vector2d& y) {
+  const double mean = 0.5 * A.trace();
+  const double spin = std::sqrt(A(0, 0) * A(1, 1) - A(0, 1) * A(1, 0) - mean * mean);
+  const Eigen::Vector2d turned = A * y - mean * y;
+  return std::exp(-mean * t) * (std::cos(spin * t) * y - std::sin(spin * t) / spin * turned);
+}
+
+// Of w1'' = -c12 w2, w2'' = -c21 w1: the sum of w1 and sqrt(c12/c21) w2 oscillates, their difference grows and decays.
+Eigen::Vector4d swung(double c12, double c21, double t, const Eigen::Vector4d& y) {
+  const double share = std::sqrt(c12 / c21), k = std::pow(c12 * c21, 0.25);
+  const double sum = y[0] + share * y[2], sum_rate = y[1] + share * y[3];
+  const double rest = y[0] - share * y[2], rest_rate = y[1] - share * y[3];
+  const double s = sum * std::cos(k * t) + sum_rate / k * std::sin(k * t);
+  const double s_rate = -sum * k * std::sin(k * t) + sum_rate * std::cos(k * t);
+  const double d = rest * std::cosh(k * t) + rest_rate / k * std::sinh(k * t);
+  const double d_rate = rest * k * std::sinh(k * t) + rest_rate * std::cosh(k * t);
+  return {(s + d) / 2.0, (s_rate + d_rate) / 2.0, (s - d) / (2.0 * share), (s_rate - d_rate) / (2.0 * share)};
+}
+
+void compare_staggered(Rows& rows, const std::string& how, Seen seen, const std::optional<Aitken>& relaxation) {
+  constexpr double t_end = 0.9;
+  const Staggered scheme({{.name = "first"}, {.name = "second"}}, seen, relaxation);
+  const auto write = [&](const std::string& what, const Errors& found) {
+    rows.order(what + ", " + how, {.nominal = 1.0,
+                                   .steps = found.steps,
+                                   .errors = found.errors,
+                                   .floor = 1e-15,
+                                   .because = "each field by backward Euler, sweeps to rounding"});
+  };
+  FirstOrderPair first;
+  first.a << 1.0, 3.0, -2.0, 0.5;
+  const Eigen::Vector2d two{1.0, 0.7};
+  write("first-order pair",
+        refine(first, Values{.t = 0.0, .y = two}, decayed(first.a, t_end, two), t_end, 400, scheme));
+  const SecondOrderPair second{.c12 = 2.0, .c21 = 0.5};
+  const Eigen::Vector4d four{1.0, 0.4, 0.7, -0.3};
+  write("second-order pair",
+        refine(second, Values{.t = 0.0, .y = four}, swung(2.0, 0.5, t_end, four), t_end, 400, scheme));
+}
+
+const Case order_staggered{
+    {.name = "order_staggered",
+     .claim = "fields staggered to rounding are coupled with order 1 of the Euler scheme that solves each",
+     .equation = "R 7.5.2",
+     .reference = Reference::convergence},
+    [](Rows& rows) {
+      compare_staggered(rows, "Gauss-Seidel", Seen::newest, {});
+      compare_staggered(rows, "Gauss-Seidel with Aitken", Seen::newest, Aitken{});
+      compare_staggered(rows, "Jacobi", Seen::previous, {});
+    }};
+
+}  // namespace

@@ -1,0 +1,190 @@
+// The factor of a staggered sweep, against theory: below, at and beyond the step where it is one.
+
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include <harness/case.hpp>
+#include <particulate/schemes/coupled_pair.hpp>
+#include <particulate/schemes/fixed_step.hpp>
+#include <particulate/schemes/integrate.hpp>
+#include <particulate/schemes/phi_control.hpp>
+#include <particulate/schemes/staggering.hpp>
+
+#include "endings.hpp"
+#include "linear_problems.hpp"
+#include "sweeping.hpp"
+
+namespace {
+
+using namespace particulate::schemes;
+using namespace verification;
+
+constexpr double above_rounding = 1e-10, tolerance = 4.0 * eps / above_rounding;
+constexpr auto because = "ratios of changes that are above 1e-10 of numbers near 1, four roundings each";
+
+Staggered staggered(int p, Seen seen = Seen::newest, std::optional<Aitken> relaxation = {}) {
+  return Staggered({{.name = "first", .TOL = 1e-6, .p = p}, {.name = "second", .TOL = 1e-6, .p = p}}, seen, relaxation);
+}
+
+// Changes of one number of the state from sweep to sweep, with their sign.
+std::vector<double> signed_changes(const Swept<Values>& swept, Eigen::Index of) {
+  std::vector<double> changes;
+  for (std::size_t k = 1; k < swept.iterates.size(); ++k) {
+    changes.push_back(swept.iterates[k].y[of] - swept.iterates[k - 1].y[of]);
+  }
+  return changes;
+}
+
+// The signed ratio over `stride` sweeps farthest from what is expected, from sweep `first` on.
+double farthest_ratio(const std::vector<double>& change, std::size_t first, std::size_t stride, double expected) {
+  double farthest = missing;
+  for (std::size_t k = first + stride; k < change.size() && std::abs(change[k]) > above_rounding; ++k) {
+    const double ratio = change[k] / change[k - stride];
+    if (std::isnan(farthest) || std::abs(ratio - expected) > std::abs(farthest - expected)) farthest = ratio;
+  }
+  return farthest;
+}
+
+// Both fields, both kinds of sweep. The first field's first change comes from the second's start, not from a sweep, so
+// that its law holds from its second change on. A Jacobi sweep has two eigenvalues of opposite sign, or imaginary ones:
+// over two sweeps both are the factor of Gauss-Seidel.
+template <class P>
+void compare_pair(Rows& rows, const std::string& which, const P& pair, const Values& start, double dt, double factor) {
+  const Eigen::Index second = start.y.size() / 2;
+  const auto gauss_seidel = sweep(staggered(2), pair, start, dt, 30);
+  const auto jacobi = sweep(staggered(1, Seen::previous), pair, start, dt, 60);
+  const auto compare = [&](const std::string& what, double ratio) {
+    rows.compare(what + ", " + which,
+                 {.expected = factor, .computed = ratio, .tolerance = relative(tolerance), .because = because});
+  };
+  compare("Gauss-Seidel, first field", farthest_ratio(signed_changes(gauss_seidel, 0), 1, 1, factor));
+  compare("Gauss-Seidel, second field", farthest_ratio(signed_changes(gauss_seidel, second), 0, 1, factor));
+  compare("two Jacobi sweeps, first field", farthest_ratio(signed_changes(jacobi, 0), 0, 2, factor));
+  compare("two Jacobi sweeps, second field", farthest_ratio(signed_changes(jacobi, second), 0, 2, factor));
+}
+
+FirstOrderPair first_order(double a11, double a12, double a21, double a22) {
+  FirstOrderPair pair;
+  pair.a << a11, a12, a21, a22;
+  return pair;
+}
+
+const Values two{.t = 0.0, .y = Eigen::Vector2d{1.0, 0.7}};
+const Values four{.t = 0.0, .y = Eigen::Vector4d{1.0, 0.4, 0.7, -0.3}};
+
+const Case staggering_contraction{
+    {.name = "staggering_contraction",
+     .claim = "a Gauss-Seidel sweep multiplies errors by dt^2/(ab), dt^4/(ab), and with each field's own decay by dt^2 "
+              "a12 a21/((1 + dt a11)(1 + dt a22)); two Jacobi sweeps do the same",
+     .equation = "R 7.5.2",
+     .reference = Reference::closed_form},
+    [](Rows& rows) {
+      for (const double a : {0.5, 2.0}) {
+        for (const double b : {1.0, -3.0}) {
+          for (const double dt : {0.1, 0.6}) {
+            const std::string with = fmt::format("a = {}, b = {}, dt = {}", a, b, dt);
+            compare_pair(rows, "first order, " + with, first_order(0.0, 1.0 / a, 1.0 / b, 0.0), two, dt,
+                         dt * dt / (a * b));
+            compare_pair(rows, "second order, " + with, SecondOrderPair{.c12 = 1.0 / a, .c21 = 1.0 / b}, four, dt,
+                         std::pow(dt, 4) / (a * b));
+          }
+        }
+      }
+      for (const double dt : {0.05, 0.3, 0.499, 0.501}) {
+        const double q = dt * dt * 3.0 * -3.0 / ((1.0 + dt) * (1.0 + dt));
+        compare_pair(rows, fmt::format("a11 = a22 = 1, a12 = -a21 = 3, dt = {}", dt), first_order(1.0, 3.0, -3.0, 1.0),
+                     two, dt, q);
+        const double other = dt * dt * 4.0 / ((1.0 + 2.0 * dt) * (1.0 + 0.5 * dt));
+        compare_pair(rows, fmt::format("a11 = 2, a22 = 1/2, a12 = 4, a21 = 1, dt = {}", dt),
+                     first_order(2.0, 4.0, 1.0, 0.5), two, dt, other);
+      }
+    }};
+
+const FirstOrderPair stable_physics = first_order(1.0, 3.0, -3.0, 1.0);
+
+// What the scheme itself reports of the error's factor: q = -0.09/1.21 at dt = 0.1.
+void compare_reported(Rows& rows) {
+  Staggered scheme = staggered(2);
+  FirstOrderPair pair = stable_physics;
+  Values to;
+  scheme.predict(pair, two, 0.1, to);
+  std::vector<double> w;
+  for (int k = 0; k < 4; ++k) {
+    scheme.sweep(pair, two, 0.1, to);
+    w.push_back(scheme.iterations()[1].w_K);
+  }
+  for (std::size_t k = 1; k < w.size(); ++k) {
+    rows.compare(fmt::format("w_{} over w_{} of the second field at dt = 0.1", k, k - 1),
+                 {.expected = 0.09 / 1.21,
+                  .computed = w[k] / w[k - 1],
+                  .tolerance = relative(1e-10),
+                  .because = "frozen denominator: the ratio of changes; over each sweep's own displacement the first "
+                             "would be |q|/(1 - |q|) = 0.0804"});
+  }
+}
+
+// Runs that must end at the coupled backward Euler steps that Cramer's rule gives.
+template <class C>
+Ending decay(double t_end, C control, const std::optional<Aitken>& relaxation, double tolerance_here,
+             const std::string& reason, Outcome* out = nullptr) {
+  FirstOrderPair pair = stable_physics;
+  Staggered scheme = staggered(2, Seen::newest, relaxation);
+  Values state = two;
+  Eigen::Vector2d exact = two.y;
+  const auto follow = [&](const Values&, const Values&, double dt, const Staggered&) {
+    exact = implicit_step(stable_physics.a, dt, exact);
+    return true;
+  };
+  const Outcome outcome = integrate(pair, state, t_end, scheme, control, follow);
+  if (out != nullptr) *out = outcome;
+  if (outcome.status != Status::reached) return Ending::refused(outcome.reason);
+  return Ending::solved(
+      {.error = (state.y - exact).norm() / exact.norm(), .tolerance = tolerance_here, .because = reason});
+}
+
+const Case staggering_limit{
+    {.name = "staggering_limit",
+     .claim = "fields that decay are staggered in vain beyond dt = 1/2: a fixed step is refused and told of a smaller "
+              "one, the adaptive step shrinks, Aitken's relaxation solves it as it stands",
+     .equation = "R 7.5.2",
+     .reference = Reference::closed_form},
+    [](Rows& rows) {
+      constexpr int plenty = 20000;
+      rows.must_be_solved("dt = 0.499 at a fixed step", [] {
+        return decay(3.0 * 0.499, FixedStep{.step = 0.499, .TOL = 1e-6, .contractions = plenty}, {},
+                     3.0 * 375.0 * 1e-12,
+                     "three steps, each of whose sweeps stop within 1e-6 of TOL = 1e-6 of each other, at most 1/(1 - "
+                     "0.99733) = 375 times nearer than their limit");
+      });
+      Outcome refused;
+      rows.must_be_refused("dt = 0.501 at a fixed step", "diverge 1.003 Dt field", [&] {
+        return decay(3.0 * 0.501, FixedStep{.step = 0.501, .TOL = 1.0, .contractions = 1000}, {}, 0.0,
+                     "it should not come to this", &refused);
+      });
+      rows.at_most("workable step, told with the refusal at 0.501 [s]",
+                   {.limit = 0.5, .computed = refused.workable_step, .because = "sweeps contract below 0.5 only"});
+      rows.at_least(
+          "workable step, told with the refusal at 0.501, at least [s]",
+          {.limit = 0.49, .computed = refused.workable_step, .because = "1e-6^(1/2000) = 0.993 of 0.5, by the model"});
+      Outcome adaptive;
+      rows.must_be_solved("dt = 0.501 at first, Phi_K control", [&] {
+        return decay(6.0, PhiControl{.TOL = 1.0, .K_d = 20, .step = 0.501, .limit = 0.501}, {}, 1e-4,
+                     "some twenty steps, each within some TOL = 1e-6 of its first displacement", &adaptive);
+      });
+      rows.at_least("steps refused on the way", {.limit = 1,
+                                                 .computed = static_cast<double>(adaptive.rejections),
+                                                 .because = "no sweeps meet their tolerance at 0.501"});
+      for (const double dt : {0.501, 5.0}) {
+        rows.must_be_solved(fmt::format("dt = {} at a fixed step, Aitken", dt), [=] {
+          return decay(3.0 * dt, FixedStep{.step = dt}, Aitken{}, 1e-13,
+                       "the secant of a linear map ends at rounding; three steps, some tens of roundings each");
+        });
+      }
+      compare_reported(rows);
+    }};
+
+}  // namespace

@@ -1,0 +1,221 @@
+// Error against run time under near fields: bodies that breathe, the Pleiades, and a cloud of a hundred.
+
+#include <algorithm>
+#include <cstdint>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include <harness/case.hpp>
+#include <harness/races.hpp>
+#include <particulate/schemes/phi_family.hpp>
+#include <particulate/schemes/runge_kutta.hpp>
+#include <particulate/schemes/verlet.hpp>
+
+#include "classical_problems.hpp"
+#include "kinsol_euler.hpp"
+
+namespace {
+
+using namespace particulate;
+using namespace verification;
+using schemes::Anderson, schemes::BackwardEuler, schemes::PhiFamily;
+
+// Steps in a leg between two outputs, and the slope that their errors must show. 0 where errors below a hundredth, on
+// which alone a slope can be fitted, would take too many steps.
+struct Ladder {
+  Steps steps;
+  double slope = 0.0;
+  std::string steeper = {};
+};
+
+// One problem and the settings of its competitors; the ladders of the phi family are of Dt_lim.
+struct Problem {
+  std::string name;
+  JudgedRace judged;
+  std::string reference;
+  Ladder runge_kutta, verlet, backward_euler, trapezoidal;
+  double tightest, tightest_of_bdf;  // tolerances; 1 for none
+  std::vector<Competitor> others = {};
+};
+
+template <class Begin>
+Competitor stepped(const char* name, const Problem& of, const Ladder& ladder, Begin begin) {
+  Competitor who =
+      competitor(name, of.judged.race, step_sizes(of.judged.race.outputs.front(), ladder.steps), std::move(begin));
+  return ladder.slope > 0.0 ? with_slope(ladder.slope, std::move(who), ladder.steeper) : who;
+}
+
+// Nothing changes more slowly than the run is long. A tenth: what tighter tolerances change is not seen in a diagram.
+SweepTolerance sweeps(const Problem& of, int order) {
+  return {.order = order, .share = 0.1, .T = of.judged.race.outputs.back()};
+}
+
+std::vector<Competitor> everybody(const Problem& of) {
+  const auto toleranced = [&](const char* name, double tightest, auto begin) {
+    return competitor(name, of.judged.race, tolerances(tightest), begin);
+  };
+  const reference::ExplicitRungeKutta dormand_prince{.table = reference::Table::dormand_prince_7_4_5};
+  const reference::ExplicitRungeKutta fehlberg{.table = reference::Table::fehlberg_13_7_8};
+  std::vector<Competitor> all{
+      stepped("RK4", of, of.runge_kutta, at_fixed_step<schemes::RungeKutta4>()),
+      stepped("velocity Verlet", of, of.verlet, at_fixed_step<schemes::VelocityVerlet>()),
+      stepped("backward Euler", of, of.backward_euler, under_phi_control(BackwardEuler(), sweeps(of, 1))),
+      stepped("phi = 1/2", of, of.trapezoidal, under_phi_control(BackwardEuler(0.5), sweeps(of, 2))),
+      toleranced("CVODE Adams", of.tightest, by(reference::Adams{})),
+      toleranced("ARKODE Dormand-Prince 5(4)", of.tightest, by(dormand_prince)),
+      toleranced("ARKODE Fehlberg 8(7)", of.tightest, by(fehlberg))};
+  if (of.tightest_of_bdf < 1.0) all.push_back(toleranced("CVODE BDF", of.tightest_of_bdf, by(reference::Bdf{})));
+  all.insert(all.end(), of.others.begin(), of.others.end());
+  return all;
+}
+
+// Anderson saves sweeps where the limit is so large that they hardly contract, and nothing where two are enough.
+Competitor backward_euler_with_anderson(const Problem& of, const Steps& steps) {
+  return tuned(stepped("backward Euler, Anderson", of, {.steps = steps},
+                       under_phi_control(PhiFamily<Anderson>(1.0, Anderson(1)), sweeps(of, 1))));
+}
+Competitor trapezoidal_with_anderson(const Problem& of, const Steps& steps) {
+  return tuned(stepped("phi = 1/2, Anderson", of, {.steps = steps},
+                       under_phi_control(PhiFamily<Anderson>(0.5, Anderson(1)), sweeps(of, 2))));
+}
+
+Competitor by_kinsol_with_anderson(const Problem& of, const Steps& steps) {
+  return stepped("backward Euler by KINSOL, Anderson", of, {.steps = steps},
+                 by_kinsol(of.judged.race.speed, sweeps(of, 1)));
+}
+
+void measure(Rows& rows, const Problem& of) {
+  rows.work_precision(
+      {.problem = of.name, .reference = of.reference, .floor = of.judged.floor, .competitors = everybody(of)});
+}
+
+// A full run goes on where a quick one ends.
+Ladder longer(Rows& rows, Ladder ladder, int times = 1) {
+  if (rows.full()) ladder.steps.times += times;
+  return ladder;
+}
+
+Problem breathing(Rows& rows, const std::string& name, const Race<NearFieldScene>& race) {
+  return {.name = name,
+          .judged = {.race = race, .floor = rounding_floor},
+          .reference = "closed form in extended precision, rounded",
+          .runge_kutta = longer(rows, {{2, 2.0, 7}, 4.0, symmetric_turn}),
+          .verlet = longer(rows, {{8, 2.0, 7}, 2.0}),
+          .backward_euler = longer(rows, {{256, 1.6, 7}, 1.0}),
+          .trapezoidal = longer(rows, {{4, 2.0, 7}, 2.0}),
+          .tightest = rows.quick() ? 1e-11 : 1e-15,
+          .tightest_of_bdf = rows.quick() ? 1e-8 : 1e-10};
+}
+
+Claim claim_of(const std::string& problem, const std::string& bodies, Reference reference = Reference::closed_form) {
+  return {.name = "work_precision_" + problem,
+          .claim = "error against run time of " + bodies + ": the phi family, explicit schemes, CVODE, ARKODE, KINSOL",
+          .equation = "R 3.4",
+          .reference = reference};
+}
+
+const Case soft{claim_of("breathing_pair_soft", "a breathing pair, alpha2 = 0.5"),
+                [](Rows& rows) { measure(rows, breathing(rows, "breathing_pair_soft", breathing_pair_race(0.5))); }};
+
+const Case pentagon{claim_of("pentagon", "five bodies that breathe, alpha2 = 0.5"), [](Rows& rows) {
+                      Problem of = breathing(rows, "pentagon", pentagon_race());
+                      of.backward_euler = longer(rows, {{64, 2.0, 4}});
+                      measure(rows, of);
+                    }};
+
+const Case stiff{
+    claim_of("breathing_pair_stiff", "a breathing pair, alpha2 = 0.1"), [](Rows& rows) {
+      Problem of = breathing(rows, "breathing_pair_stiff", breathing_pair_race(0.1));
+      of.runge_kutta = longer(rows, {{64, 2.0, 5}, 4.0, symmetric_turn});
+      of.verlet = longer(rows, {{256, 2.0, 4}, 2.0});
+      // Backward Euler damps the passage so much that errors of a hundredth would need a million steps.
+      of.backward_euler = longer(rows, {{16, 2.0, 7}});
+      of.trapezoidal = longer(rows, {{64, 1.6, 5}, 2.0});
+      const char* const fixed = "backward Euler, fixed steps";
+      constexpr Steps few{16, 2.0, 4};
+      of.others = {by_kinsol_with_anderson(of, few), backward_euler_with_anderson(of, few),
+                   stepped(fixed, of, {.steps = few}, sweeping_at_fixed_step(BackwardEuler(), sweeps(of, 1)))};
+      measure(rows, of);
+      const auto& points = rows.points();
+      const auto largest =
+          std::find_if(points.begin(), points.end(), [&](const auto& point) { return point.method == fixed; });
+      rows.equal("backward Euler at the largest fixed step: how it failed",
+                 {.expected = "failed: the sweeps diverge",
+                  .computed = largest->status.substr(0, 26),
+                  .because = "omega Dt = 2.4 where the pair is nearest, 1 is where sweeps begin to diverge"});
+    }};
+
+const Case stars{
+    claim_of("pleiades", "the Pleiades, seven stars that pass close by one another", Reference::sundials),
+    [](Rows& rows) {
+      Problem of{.name = "pleiades",
+                 .judged = judged_race(pleiades(), pleiades_end, 10),
+                 .reference = "ARKODE Fehlberg 8(7) at 1e-15; the floor is its distance from CVODE Adams at 1e-15",
+                 .runge_kutta = longer(rows, {{384, 1.4, 4},
+                                              4.0,
+                                              "a close passage is nearly symmetric in time about its nearest point, "
+                                              "which cancels most of RK4's leading error"}),
+                 .verlet = longer(rows, {{1024, std::numbers::sqrt2, 4}, 2.0}),
+                 .backward_euler = longer(rows, {{256, 2.0, 2}}, 3),
+                 .trapezoidal = longer(rows, {{64, 2.0, 4}}),
+                 .tightest = rows.quick() ? 1e-7 : 1e-13,
+                 .tightest_of_bdf = rows.quick() ? 1e-5 : 1e-8};
+      measure(rows, of);
+    }};
+
+// BDF is left out: each of its Jacobians costs 600 right-hand sides and the decomposition of 600 unknowns.
+Problem cloud_of_100(Rows& rows, const std::string& name, std::uint64_t seed) {
+  Problem of{.name = name,
+             .judged = judged_race(near_field_cloud(100, seed), 1.0, 5),
+             .reference = "ARKODE Fehlberg 8(7) at 1e-15; the floor is its distance from CVODE Adams at 1e-15",
+             .runge_kutta = longer(rows, {{4, 1.6, 4}, 4.0}),
+             .verlet = longer(rows, {{12, 1.5, 4}, 2.0}),
+             .backward_euler = longer(rows, {{4, 2.0, 4}}),
+             .trapezoidal = longer(rows, {{4, 1.6, 6}, 2.0}),
+             .tightest = rows.quick() ? 1e-6 : 1e-12,
+             .tightest_of_bdf = 1.0};
+  of.others = {backward_euler_with_anderson(of, {4, 2.0, 3}), trapezoidal_with_anderson(of, {4, 1.6, 2}),
+               by_kinsol_with_anderson(of, {4, 2.0, 3})};
+  return of;
+}
+
+const Case cloud{claim_of("near_field_100", "a cloud of a hundred under a near field", Reference::sundials),
+                 [](Rows& rows) { measure(rows, cloud_of_100(rows, "near_field_100", 1)); }};
+
+// Evaluations at the largest limit of a method.
+long at_the_largest_limit(const Rows& rows, const std::string& problem, const std::string& method) {
+  const auto& points = rows.points();
+  return std::find_if(
+             points.begin(), points.end(),
+             [&](const WorkPrecisionPoint& point) { return point.problem == problem && point.method == method; })
+      ->counts.evaluations;
+}
+
+const Case other_seeds{
+    {.name = "work_precision_near_field_100_other_seeds",
+     .claim = "what Anderson saves on the cloud it was chosen for, it saves on others",
+     .equation = "R 3.4",
+     .reference = Reference::sundials},
+    [](Rows& rows) {
+      for (std::uint64_t seed = 2; seed <= (rows.quick() ? 2 : 6); ++seed) {
+        const std::string name = fmt::format("near_field_100_seed_{}", seed);
+        Problem of = cloud_of_100(rows, name, seed);
+        of.runge_kutta = {{8, 1.35, 4}, 4.0};
+        of.backward_euler = {{4, 2.0, 2}};
+        const std::vector<Competitor> few{
+            stepped("RK4", of, of.runge_kutta, at_fixed_step<schemes::RungeKutta4>()),
+            stepped("backward Euler", of, of.backward_euler, under_phi_control(BackwardEuler(), sweeps(of, 1))),
+            backward_euler_with_anderson(of, of.backward_euler.steps)};
+        rows.work_precision({.problem = name, .reference = of.reference, .floor = of.judged.floor, .competitors = few});
+        rows.at_most(name + ": evaluations of backward Euler with Anderson at the largest limit",
+                     {.limit = static_cast<double>(at_the_largest_limit(rows, name, "backward Euler")),
+                      .computed = static_cast<double>(at_the_largest_limit(rows, name, "backward Euler, Anderson")),
+                      .because = "as many as without, or fewer: there the sweeps hardly contract"});
+      }
+    }};
+
+}  // namespace
