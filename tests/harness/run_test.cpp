@@ -41,6 +41,14 @@ std::string without(const std::filesystem::path& file, const std::vector<std::st
 
 BOOST_AUTO_TEST_SUITE(good_cases)
 
+BOOST_AUTO_TEST_CASE(say_in_which_file_they_stand) {
+  const ScratchFolder folder;
+  BOOST_TEST(run("harness_good", "--quick --out " + folder.path().native()).status == 0);
+  const std::string cases = read_whole(folder.path() / "cases.csv");
+  BOOST_TEST(cases.rfind("chapter,case,claim,equation,reference,source\nch00,converging,", 0) == 0U);
+  BOOST_TEST(cases.find("D 1.2,identity,programs/good.cpp\n") != std::string::npos);
+}
+
 BOOST_AUTO_TEST_CASE(end_with_success_and_exactly_these_rows) {
   const ScratchFolder folder;
   const Ended ended = run("harness_good", "--quick --out " + folder.path().native());

@@ -1,5 +1,6 @@
 #include <harness/case.hpp>
 
+#include <filesystem>
 #include <utility>
 
 #include <harness/registry.hpp>
@@ -34,7 +35,10 @@ std::vector<const Case*>& registry() {
   return cases;
 }
 
-Case::Case(Claim claim, std::function<void(Rows&)> proof) : claim_(std::move(claim)), proof_(std::move(proof)) {
+Case::Case(Claim claim, std::function<void(Rows&)> proof, std::source_location where)
+    : claim_(std::move(claim)), proof_(std::move(proof)) {
+  const std::filesystem::path file = where.file_name();
+  source_ = (file.parent_path().filename() / file.filename()).generic_string();
   registry().push_back(this);
 }
 

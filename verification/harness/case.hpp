@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <source_location>
 #include <string>
 #include <string_view>
 
@@ -37,18 +38,22 @@ class Case {
  public:
   /// @param claim  name, sentence, equation, reference
   /// @param proof  writes at least one row
-  Case(Claim claim, std::function<void(Rows&)> proof);
+  /// @param where  where the constant stands
+  Case(Claim claim, std::function<void(Rows&)> proof, std::source_location where = std::source_location::current());
   Case(const Case&) = delete;
   Case& operator=(const Case&) = delete;
 
   /// @return name, sentence, equation, reference
   const Claim& claim() const { return claim_; }
+  /// @return folder and file of the case: `ch03_schemes/amplification.cpp`
+  const std::string& source() const { return source_; }
   /// Runs the proof. @param rows where it writes to
   void prove(Rows& rows) const { proof_(rows); }
 
  private:
   Claim claim_;
   std::function<void(Rows&)> proof_;
+  std::string source_;
 };
 
 }  // namespace verification

@@ -33,7 +33,8 @@ CaseResult prove(const Case& claimed, const Rows::Settings& settings) {
           .rows = rows.all(),
           .stability = rows.stability(),
           .points = rows.points(),
-          .seconds = spent.count()};
+          .seconds = spent.count(),
+          .source = claimed.source()};
 }
 
 Table rows_table(const std::string& chapter, const std::vector<CaseResult>& results, bool quick) {
@@ -71,6 +72,15 @@ Table stability_table(const std::string& chapter, const std::vector<CaseResult>&
     for (const Stability& line : result.stability) {
       table.add({chapter, fmt::format("{}: {}", result.claim.name, line.name), line.must, line.verdict, line.reason});
     }
+  }
+  return table;
+}
+
+Table cases_table(const std::string& chapter, const std::vector<CaseResult>& results) {
+  Table table({"chapter", "case", "claim", "equation", "reference", "source"});
+  for (const CaseResult& result : results) {
+    const Claim& claim = result.claim;
+    table.add({chapter, claim.name, claim.claim, claim.equation, name_of(claim.reference), result.source});
   }
   return table;
 }

@@ -15,6 +15,7 @@ struct CaseResult {
   std::vector<Stability> stability;        ///< verdicts on extreme cases
   std::vector<WorkPrecisionPoint> points;  ///< measured
   double seconds = 0.0;                    ///< wall time of the whole case
+  std::string source;                      ///< folder and file of the case
 
   /// @return how many rows failed
   std::size_t failed() const;
@@ -39,6 +40,11 @@ particulate::report::Table work_precision_table(const std::string& chapter, cons
 /// @param results  of every case that ran
 /// @return the table written as stability.csv
 particulate::report::Table stability_table(const std::string& chapter, const std::vector<CaseResult>& results);
+
+/// @param chapter  `ch01` ... `appB`
+/// @param results  of every case that ran
+/// @return the table written as cases.csv: what is claimed, and in which file it is proved
+particulate::report::Table cases_table(const std::string& chapter, const std::vector<CaseResult>& results);
 
 /// @param results  of every case that ran
 /// @return one line a row for a terminal

@@ -97,6 +97,7 @@ std::vector<CaseResult> prove_all(const std::vector<const Case*>& cases, const R
 void write_all(const report::Output& output, const std::string& chapter, const std::vector<CaseResult>& results,
                bool quick) {
   output.write("rows", rows_table(chapter, results, quick));
+  output.write("cases", cases_table(chapter, results));
   output.write("work_precision", work_precision_table(chapter, results));
   output.write("stability", stability_table(chapter, results));
 }

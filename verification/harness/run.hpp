@@ -4,7 +4,8 @@
 
 namespace verification {
 
-/// Runs the cases linked into this program, and writes rows.csv, work_precision.csv, stability.csv and stamp.json.
+/// Runs the cases linked into this program, and writes rows.csv, cases.csv, work_precision.csv, stability.csv and
+/// stamp.json.
 ///
 /// Cases run in the order of their names. One that throws fails, and the others still run; one that compares nothing
 /// fails.
