@@ -1,0 +1,455 @@
+#include "grading.hpp"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#ifdef __linux__
+#include <grp.h>
+#include <sys/prctl.h>
+#endif
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <stdexcept>
+#include <tuple>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace grading {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// A pipe whose ends close themselves.
+class Pipe {
+ public:
+  Pipe() {
+    if (pipe(ends_.data()) != 0) throw std::runtime_error("no pipe can be made for the submission");
+    for (const int end : ends_) fcntl(end, F_SETFD, FD_CLOEXEC);
+  }
+  Pipe(const Pipe&) = delete;
+  Pipe& operator=(const Pipe&) = delete;
+  ~Pipe() {
+    close_end(0);
+    close_end(1);
+  }
+  int read_end() const { return ends_[0]; }
+  int write_end() const { return ends_[1]; }
+  void close_end(std::size_t end) {
+    if (ends_[end] >= 0) close(std::exchange(ends_[end], -1));
+  }
+
+ private:
+  std::array<int, 2> ends_{-1, -1};
+};
+
+std::string as_text(const std::vector<Question>& questions) {
+  std::string text;
+  for (const Question& question : questions) {
+    text += fmt::format("{} {}", question.function, question.inputs.size());
+    for (const double x : question.inputs) text += fmt::format(" {:a}", x);
+    text += '\n';
+  }
+  return text;
+}
+
+void limit(decltype(RLIMIT_CPU) resource, rlim_t value) {
+  const rlimit both{value, value};
+  setrlimit(resource, &both);
+}
+
+constexpr int answers_end = 3;
+constexpr int not_started = 127;
+
+// The three files that a submission has: questions, nowhere for what it prints, answers.
+void keep_three_files(int questions, int answers) {
+  const int nowhere = open("/dev/null", O_WRONLY);
+  dup2(questions, STDIN_FILENO);
+  dup2(nowhere, STDOUT_FILENO);
+  dup2(nowhere, STDERR_FILENO);
+  dup2(answers, answers_end);
+  fcntl(STDIN_FILENO, F_SETFD, 0);
+  fcntl(answers_end, F_SETFD, 0);
+  constexpr int most_files = 256;
+  for (int other = answers_end + 1; other < most_files; ++other) close(other);
+}
+
+// Between fork and exec: only what is allowed there. The program is opened by whoever runs this, then root's rights go.
+[[noreturn]] void become(const char* program, int questions, int answers, const Limits& limits) {
+  setpgid(0, 0);
+  limit(RLIMIT_CPU, limits.cpu_seconds);
+  limit(RLIMIT_AS, limits.memory);
+  limit(RLIMIT_CORE, 0);
+  limit(RLIMIT_FSIZE, 0);
+  keep_three_files(questions, answers);
+  char name[] = "submission", number[] = "3";
+  char* const words[] = {name, number, nullptr};
+#ifdef __linux__
+  const int file = open(program, O_RDONLY | O_CLOEXEC);
+  constexpr uid_t nobody = 65534;
+  const bool is_root = geteuid() == 0;
+  // Containers may refuse this to their root; the other limits hold even so.
+  if (is_root && setgroups(0, nullptr) == 0 && setgid(nobody) == 0) std::ignore = setuid(nobody);
+  fexecve(file, words, environ);
+#else
+  execv(program, words);
+#endif
+  _exit(not_started);
+}
+
+// Far more than any line asks for [bytes].
+constexpr std::size_t most_answers = 1 << 20;
+
+// Writes the questions and reads the answers as both get through, until the end, the deadline or too much.
+std::string converse(Pipe& in, Pipe& out, const std::string& questions, Clock::time_point deadline) {
+  fcntl(in.write_end(), F_SETFL, O_NONBLOCK);
+  std::string answers;
+  std::size_t written = 0;
+  std::array<char, 4096> buffer{};
+  while (answers.size() < most_answers) {
+    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now()).count();
+    if (left <= 0) break;
+    std::array<pollfd, 2> ends{pollfd{out.read_end(), POLLIN, 0}, pollfd{in.write_end(), POLLOUT, 0}};
+    poll(ends.data(), in.write_end() >= 0 ? 2 : 1, static_cast<int>(left));
+    if (in.write_end() >= 0 && ends[1].revents != 0) {
+      const ssize_t n = write(in.write_end(), questions.data() + written, questions.size() - written);
+      written += n > 0 ? static_cast<std::size_t>(n) : 0;
+      if (n <= 0 || written == questions.size()) in.close_end(1);
+    }
+    if (ends[0].revents != 0) {
+      const ssize_t n = read(out.read_end(), buffer.data(), buffer.size());
+      if (n <= 0) break;
+      answers.append(buffer.data(), static_cast<std::size_t>(n));
+    }
+  }
+  return answers;
+}
+
+// Waits for the process until the deadline, then kills it and whatever it has started.
+std::optional<int> end_of(pid_t process, Clock::time_point deadline) {
+  int status = 0;
+  std::optional<int> ended;
+  while (!ended && Clock::now() < deadline) {
+    if (waitpid(process, &status, WNOHANG) == process) {
+      ended = status;
+    } else {
+      usleep(1000);
+    }
+  }
+  kill(-process, SIGKILL);
+  if (!ended) waitpid(process, &status, 0);
+  return ended;
+}
+
+// Why a run has not given all its answers.
+void explain(Run& run, std::optional<int> status, std::size_t asked) {
+  const std::string after = fmt::format(" after {} of {} answers", std::min(run.answers.size(), asked), asked);
+  const int signal = status && WIFSIGNALED(*status) ? WTERMSIG(*status) : 0;
+  const int left = status && WIFEXITED(*status) ? WEXITSTATUS(*status) : 0;
+  if (run.answers.size() > asked) {
+    run.failure = fmt::format("more than the {} answers asked for", asked);
+    run.hint = "functions must return their result and write to no file";
+  } else if (!status || signal == SIGXCPU || signal == SIGKILL) {
+    run.failure = "took too long" + after;
+    run.hint = "a loop does not end, or does far too much work";
+  } else if (signal != 0) {
+    run.failure = fmt::format("crashed ({}){}", strsignal(signal), after);
+    run.hint =
+        "run it in a debugger, or build it with -fsanitize=address: an index or a pointer is wrong, an exception "
+        "was thrown, a file was written, or memory ran out";
+  } else if (left == not_started) {
+    run.failure = "the program could not be started";
+    run.hint = "its file must exist, and everyone must be allowed to read and execute it";
+  } else {
+    run.failure = fmt::format("left with exit status {}{}", left, after);
+    run.hint = "functions must return to their caller: do not call exit()";
+  }
+}
+
+std::string shown(const std::vector<double>& values) { return fmt::format("{:.15g}", fmt::join(values, ", ")); }
+
+bool is_close(double answer, double expected, const Line& line) {
+  if (!std::isfinite(expected)) return answer == expected;
+  return std::abs(answer - expected) <= line.relative * std::abs(expected) + line.absolute;
+}
+
+bool is_close(const std::vector<double>& answer, const std::vector<double>& expected, const Line& line) {
+  return !answer.empty() && answer.size() == expected.size() &&
+         std::equal(answer.begin(), answer.end(), expected.begin(),
+                    [&](double a, double b) { return is_close(a, b, line); });
+}
+
+// What a mistake gives may be no number.
+bool same(double answer, double given, const Line& line) {
+  return is_close(answer, given, line) || (std::isnan(answer) && std::isnan(given));
+}
+
+std::string hint_for(const Question& question, const std::vector<double>& answer, const Line& line) {
+  const auto is_zero = [](double x) { return x == 0.0; };
+  if (std::all_of(answer.begin(), answer.end(), is_zero)) return "the answer is zero: is this still the stub?";
+  for (const Mistake& mistake : question.mistakes) {
+    const bool made = std::equal(answer.begin(), answer.end(), mistake.gives.begin(), mistake.gives.end(),
+                                 [&](double a, double b) { return same(a, b, line); });
+    if (made) return mistake.hint;
+  }
+  const auto is_finite = [](double x) { return std::isfinite(x); };
+  if (std::all_of(answer.begin(), answer.end(), is_finite)) return question.otherwise;
+  return "the answer is not a finite number: look for 0/0, overflow, a root or a logarithm of a negative number";
+}
+
+std::optional<Finding> first_wrong(const Line& line, const Answers& answers) {
+  for (std::size_t k = 0; k < line.questions.size(); ++k) {
+    const Question& question = line.questions[k];
+    const bool is_judged_later = question.expected.empty() && answers[k].size() == question.count;
+    if (is_judged_later || is_close(answers[k], question.expected, line)) continue;
+    return Finding{
+        .expected = fmt::format("{}({}) = {}", question.function, shown(question.inputs), shown(question.expected)),
+        .obtained = shown(answers[k]),
+        .hint = hint_for(question, answers[k], line)};
+  }
+  return line.holds ? line.holds(answers) : std::nullopt;
+}
+
+// For JSON. What is not ASCII may come from a compiler, cut off in the middle of a letter.
+std::string escaped(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    if (c == '"' || c == '\\') {
+      out += '\\';
+      out += c;
+    } else if (static_cast<unsigned char>(c) < 0x20) {
+      out += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
+    } else {
+      out += static_cast<unsigned char>(c) < 0x7f ? c : '?';
+    }
+  }
+  return out;
+}
+
+std::string story(const Score& score) {
+  if (score.hint.empty()) return "right";
+  return fmt::format("expected: {}\nobtained: {}\ntolerance: {}\nhint: {}", score.expected, score.obtained,
+                     score.tolerance, score.hint);
+}
+
+// Answers, a line each, up to "end". Whether they are complete: as many as asked, and nothing behind.
+bool read_answers(const std::string& text, std::size_t asked, Answers& answers) {
+  std::istringstream lines(text);
+  std::string line;
+  while (std::getline(lines, line)) {
+    if (line == "end" && answers.size() == asked) return lines.peek() == std::char_traits<char>::eof();
+    std::istringstream numbers(line);
+    std::vector<double> answer;
+    for (std::string number; numbers >> number;) answer.push_back(std::strtod(number.c_str(), nullptr));
+    answers.push_back(answer);
+  }
+  return false;
+}
+
+}  // namespace
+
+Run ask(const std::filesystem::path& program, const std::vector<Question>& questions, const Limits& limits) {
+  const Clock::time_point deadline = Clock::now() + limits.wall;
+  signal(SIGPIPE, SIG_IGN);
+#ifdef __linux__
+  prctl(PR_SET_DUMPABLE, 0);  // Expected values stand in this memory: no process of the same user may read it.
+#endif
+  Pipe in, out;
+  const std::string file = program.string();
+  const pid_t process = fork();
+  if (process < 0) throw std::runtime_error("no process can be made for the submission");
+  if (process == 0) become(file.c_str(), in.read_end(), out.write_end(), limits);
+  setpgid(process, process);
+  in.close_end(0);
+  out.close_end(1);
+  const std::string text = converse(in, out, as_text(questions), deadline);
+  const bool too_much = text.size() >= most_answers;
+  const std::optional<int> status = end_of(process, too_much ? Clock::now() : deadline);
+
+  Run run;
+  const bool complete = read_answers(text, questions.size(), run.answers) && !too_much;
+  if (!complete || !status || !WIFEXITED(*status) || WEXITSTATUS(*status) != 0) {
+    explain(run, status, questions.size());
+  }
+  return run;
+}
+
+Score grade(const std::filesystem::path& program, const Line& line, const Limits& limits) {
+  Score score{.name = line.name, .possible = line.points};
+  score.tolerance = fmt::format("{:g} relative", line.relative);
+  if (line.absolute > 0.0) score.tolerance += fmt::format(" + {:g}", line.absolute);
+  const Run run = ask(program, line.questions, limits);
+  if (!run.failure.empty()) {
+    score.expected = fmt::format("{} answers", line.questions.size());
+    score.obtained = run.failure;
+    score.hint = run.hint;
+  } else if (const std::optional<Finding> wrong = first_wrong(line, run.answers)) {
+    score.expected = wrong->expected;
+    score.obtained = wrong->obtained;
+    score.hint = wrong->hint;
+  } else {
+    score.points = line.points;
+  }
+  return score;
+}
+
+Draw::Draw(const std::string& student) {
+  std::uint64_t hash = 14695981039346656037ULL;  // FNV-1a
+  for (const char c : student) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
+  engine_.seed(hash);
+}
+
+double Draw::between(double low, double high) {
+  const double share = std::ldexp(static_cast<double>(engine_() >> 11), -53);
+  const double x = low + share * (high - low);
+  return std::strtod(fmt::format("{:.4g}", x).c_str(), nullptr);
+}
+
+int Draw::one_of(int count) { return static_cast<int>(engine_() % static_cast<std::uint64_t>(count)); }
+
+namespace {
+
+// The command line, option by option.
+struct Options {
+  std::string program, log, student = "nobody", json, variant, seconds;
+};
+
+[[nodiscard]] bool refuse(const std::string& why) {
+  fmt::print(stderr, "{}\n", why);
+  return false;
+}
+
+bool parse(int argc, char** argv, Options& options) {
+  const std::map<std::string, std::string*> known{{"--program", &options.program}, {"--log", &options.log},
+                                                  {"--student", &options.student}, {"--json", &options.json},
+                                                  {"--variant", &options.variant}, {"--seconds", &options.seconds}};
+  for (int k = 1; k < argc; k += 2) {
+    const auto option = known.find(argv[k]);
+    if (option == known.end()) return refuse(fmt::format("there is no option '{}'", argv[k]));
+    if (k + 1 == argc) return refuse(fmt::format("a value must follow {}", argv[k]));
+    *option->second = argv[k + 1];
+  }
+  if (options.program.empty() == options.log.empty()) {
+    return refuse("give either --program FILE or, if it did not compile, --log FILE");
+  }
+  return true;
+}
+
+// A whole number in [1, most], or nothing.
+std::optional<int> counted(const std::string& text, int most) {
+  char* end = nullptr;
+  const long value = std::strtol(text.c_str(), &end, 10);
+  const bool is_good = !text.empty() && *end == '\0' && value >= 1 && value <= most;
+  return is_good ? std::optional<int>(static_cast<int>(value)) : std::nullopt;
+}
+
+// What the compiler or the linker minds first.
+std::string first_error(const std::string& file) {
+  std::ifstream log(file);
+  for (std::string line; std::getline(log, line);) {
+    for (const char* sign : {"error:", "undefined reference", "multiple definition", "Undefined symbols"}) {
+      if (line.find(sign) != std::string::npos) return line;
+    }
+  }
+  return fmt::format("no program was made, see {}", file);
+}
+
+Score compiles(const std::string& log) {
+  Score score{.name = "compiles"};
+  if (log.empty()) return score;
+  score.expected = "a program";
+  score.obtained = first_error(log);
+  score.tolerance = "none";
+  score.hint = "mend the first error first; hand in every function of the header, as it is declared there";
+  return score;
+}
+
+void print(const std::vector<Score>& scores) {
+  double reached = 0.0, possible = 0.0;
+  for (const Score& score : scores) {
+    reached += score.points;
+    possible += score.possible;
+    fmt::print("{:5g} of {:<5g}{}\n", score.points, score.possible, score.name);
+    if (score.hint.empty()) continue;
+    fmt::print(
+        "              expected   {}\n              obtained   {}\n              tolerance  {}\n"
+        "              hint       {}\n",
+        score.expected, score.obtained, score.tolerance, score.hint);
+  }
+  fmt::print("{:5g} of {:<5g}in all\n", reached, possible);
+}
+
+bool write_json(const std::string& file, const std::vector<Score>& scores) {
+  std::string tests;
+  double reached = 0.0;
+  for (const Score& score : scores) {
+    reached += score.points;
+    tests += fmt::format(
+        "{}\n    {{\"name\": \"{}\", \"score\": {}, \"max_score\": {}, \"status\": \"{}\", \"output\": \"{}\"}}",
+        tests.empty() ? "" : ",", escaped(score.name), score.points, score.possible,
+        score.hint.empty() ? "passed" : "failed", escaped(story(score)));
+  }
+  const std::string whole = file + ".part";
+  {
+    std::ofstream out(whole);
+    out << fmt::format("{{\n  \"score\": {},\n  \"visibility\": \"visible\",\n  \"tests\": [{}\n  ]\n}}\n", reached,
+                       tests);
+    if (!out.flush()) return false;
+  }
+  std::error_code failed;
+  std::filesystem::rename(whole, file, failed);
+  return !failed;
+}
+
+}  // namespace
+
+int run(int argc, char** argv, const Assignment& assignment) {
+  Options options;
+  if (!parse(argc, argv, options)) return 2;
+  Draw numbers(options.student);
+  const int variants = static_cast<int>(assignment.variants.size());
+  const int by_id = numbers.one_of(variants) + 1;
+  const std::optional<int> variant = options.variant.empty() ? by_id : counted(options.variant, variants);
+  constexpr int most_seconds = 600;
+  const std::optional<int> seconds = options.seconds.empty() ? 2 : counted(options.seconds, most_seconds);
+  if (!variant || !seconds) {
+    fmt::print(stderr, "--variant must be 1 to {} and --seconds 1 to {}, got '{}' and '{}'\n", variants, most_seconds,
+               options.variant, options.seconds);
+    return 2;
+  }
+  const Limits limits{.cpu_seconds = static_cast<unsigned>(*seconds), .wall = std::chrono::seconds(10 * *seconds)};
+  fmt::print("{}\nstudent {}, variant {}: {}\n\n", assignment.title, options.student, *variant,
+             assignment.variants[static_cast<std::size_t>(*variant - 1)]);
+  std::vector<Score> scores{compiles(options.log)};
+  for (const Line& line : assignment.lines(*variant, numbers)) {
+    scores.push_back(options.log.empty() ? grade(options.program, line, limits)
+                                         : Score{.name = line.name,
+                                                 .possible = line.points,
+                                                 .expected = "a program",
+                                                 .obtained = "none",
+                                                 .tolerance = "none",
+                                                 .hint = "it must compile first"});
+  }
+  print(scores);
+  if (!options.json.empty() && !write_json(options.json, scores)) {
+    fmt::print(stderr, "{} cannot be written: name a file in a folder that exists and can be written to\n",
+               options.json);
+    return 2;
+  }
+  const bool full = std::all_of(scores.begin(), scores.end(), [](const Score& s) { return s.hint.empty(); });
+  return full ? 0 : 1;
+}
+
+}  // namespace grading

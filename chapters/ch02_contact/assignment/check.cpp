@@ -1,0 +1,440 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <Eigen/Geometry>
+
+#include <particulate/contact/impact.hpp>
+
+#include "grading.hpp"
+
+using Eigen::Vector3d;
+using grading::Answers;
+using grading::Draw;
+using grading::Finding;
+using grading::Line;
+using grading::Mistake;
+using grading::Question;
+
+namespace {
+
+namespace contact = particulate::contact;
+
+// An impact as the student gets it, and the variant that says whether j is driven.
+struct Hit {
+  int variant = 1;
+  double m_i = 1.0, m_j = 1.0;
+  Vector3d v_i = Vector3d::Zero(), v_j = Vector3d::Zero(), n = Vector3d::UnitX();
+  double e = 0.0;
+  contact::Friction friction = {};
+};
+
+double approach(const Hit& hit) { return (hit.v_i - hit.v_j).dot(hit.n); }
+
+double reduced_mass(const Hit& hit) { return hit.variant == 1 ? hit.m_i * hit.m_j / (hit.m_i + hit.m_j) : hit.m_i; }
+
+contact::Rebound by_library(const Hit& hit) {
+  const contact::Body i{.velocity = hit.v_i, .inverse_mass = 1.0 / hit.m_i};
+  const contact::Body j{.velocity = hit.v_j, .inverse_mass = hit.variant == 1 ? 1.0 / hit.m_j : 0.0};
+  const Vector3d none = Vector3d::Zero();
+  return contact::impact(i, j, hit.n, hit.e, none, none, 0.0, hit.friction);
+}
+
+// What can be wrong in one of the formulas. Where several give the same answer, the first one's hint is shown.
+enum class Flaw {
+  approach_reversed,
+  impulse_reversed,
+  forgotten_one,
+  forgotten_e,
+  loses_e,
+  energy,
+  half,
+  twice,
+  other_variant,
+  sum_of_masses,
+  mass_of_i,
+  mass_of_j,
+  whole_velocity,
+  friction_pushes,
+  slides_by_static,
+  swapped_coefficients,
+  sticks_by_dynamic,
+  never_sticks,
+  always_sticks,
+  no_friction,
+  swapped_masses,
+  same_direction,
+  pulls
+};
+
+const std::vector<std::pair<Flaw, std::string>> flaws{
+    {Flaw::approach_reversed, "sign of n: it points from i to j, so the bodies approach where (v_i - v_j).n > 0"},
+    {Flaw::impulse_reversed, "sign of J: contacts push, and n points from i to j, so the impulse on i is against n"},
+    {Flaw::forgotten_one, "forgotten 1 + e: compression takes m* u, recovery e m* u more"},
+    {Flaw::forgotten_e, "forgotten e: compression takes m* u, recovery e m* u more"},
+    {Flaw::loses_e, "sign of e: recovery adds to the impulse of compression, 1 + e"},
+    {Flaw::energy, "e is a ratio of velocities, not of energies: no square root"},
+    {Flaw::half, "factor 1/2: m* = 1/(1/m_i + 1/m_j) holds no other factor; it is m/2 for equal masses m"},
+    {Flaw::twice, "factor 2: m* = 1/(1/m_i + 1/m_j), which is m/2 for equal masses m"},
+    {Flaw::other_variant,
+     "this is the map of the other variant: in variant 1 both bodies move, in variant 2 j is driven and 1/m_j counts "
+     "as 0"},
+    {Flaw::sum_of_masses, "m* is not the sum of the masses: its inverse is the sum of their inverses"},
+    {Flaw::mass_of_i, "m* is not the mass of one body: 1/m* = 1/m_i + 1/m_j"},
+    {Flaw::mass_of_j, "swapped indices: the mass of j stands where that of i belongs"},
+    {Flaw::whole_velocity, "friction acts across n: take the normal part from the relative velocity, w - (w.n) n"},
+    {Flaw::friction_pushes, "sign of friction: on i it acts against the slip of i over j"},
+    {Flaw::slides_by_static, "once it slides the coefficient is mu_d, not mu_s"},
+    {Flaw::swapped_coefficients, "mu_s and mu_d are swapped: mu_s says whether it sticks, mu_d how strongly it slides"},
+    {Flaw::sticks_by_dynamic, "whether it sticks is decided by mu_s, not by mu_d"},
+    {Flaw::never_sticks,
+     "friction is not capped: it can stop the slip, never reverse it; stick if m* |slip| <= mu_s |J|, and where "
+     "nothing slips slip/|slip| is 0/0"},
+    {Flaw::always_sticks, "friction cannot stop every slip: it slides where sticking needs more than mu_s |J|"},
+    {Flaw::no_friction, "friction is missing: add P across n to J along n"},
+    {Flaw::swapped_masses, "swapped indices: the change of v_i is the impulse over m_i, that of v_j over m_j"},
+    {Flaw::same_direction, "momentum: j gets the opposite of the impulse on i"},
+    {Flaw::pulls, "bodies that part exchange nothing: J = 0 unless u > 0, and then no friction either"}};
+
+struct Outcome {
+  double J = 0.0;
+  Vector3d P = Vector3d::Zero(), v_i = Vector3d::Zero(), v_j = Vector3d::Zero();
+};
+
+double flawed_mass(const Hit& hit, Flaw flaw) {
+  Hit other = hit;
+  other.variant = 3 - hit.variant;
+  switch (flaw) {
+    case Flaw::half:
+      return 0.5 * reduced_mass(hit);
+    case Flaw::twice:
+      return 2.0 * reduced_mass(hit);
+    case Flaw::sum_of_masses:
+      return hit.m_i + hit.m_j;
+    case Flaw::mass_of_i:
+      return hit.m_i;
+    case Flaw::mass_of_j:
+      return hit.m_j;
+    case Flaw::other_variant:
+      return reduced_mass(other);
+    default:
+      return reduced_mass(hit);
+  }
+}
+
+double flawed_impulse(const Hit& hit, Flaw flaw, double mass) {
+  const double u = flaw == Flaw::approach_reversed ? -approach(hit) : approach(hit);
+  if (!(u > 0.0 || flaw == Flaw::pulls)) return 0.0;
+  double factor = 1.0 + hit.e;
+  if (flaw == Flaw::forgotten_one) factor = hit.e;
+  if (flaw == Flaw::forgotten_e) factor = 1.0;
+  if (flaw == Flaw::loses_e) factor = 1.0 - hit.e;
+  if (flaw == Flaw::energy) factor = 1.0 + std::sqrt(hit.e);
+  return (flaw == Flaw::impulse_reversed ? 1.0 : -1.0) * factor * mass * u;
+}
+
+Vector3d flawed_friction(const Hit& hit, Flaw flaw, double mass, double J) {
+  if (flaw == Flaw::no_friction) return Vector3d::Zero();
+  const Vector3d relative = hit.v_i - hit.v_j;
+  const Vector3d across = relative - relative.dot(hit.n) * hit.n;
+  const Vector3d slip = flaw == Flaw::whole_velocity ? relative : across;
+  const bool swapped = flaw == Flaw::swapped_coefficients;
+  const double to_stick = swapped || flaw == Flaw::sticks_by_dynamic ? hit.friction.mu_d : hit.friction.mu_s;
+  const double to_slide = swapped || flaw == Flaw::slides_by_static ? hit.friction.mu_s : hit.friction.mu_d;
+  const bool can_stick = mass * slip.norm() <= to_stick * std::abs(J);
+  const bool sticks = flaw == Flaw::always_sticks || (can_stick && flaw != Flaw::never_sticks);
+  const Vector3d P = sticks ? Vector3d(-mass * slip) : Vector3d(-to_slide * std::abs(J) / slip.norm() * slip);
+  return flaw == Flaw::friction_pushes ? Vector3d(-P) : P;
+}
+
+Outcome flawed(const Hit& hit, Flaw flaw) {
+  Outcome out;
+  const double mass = flawed_mass(hit, flaw);
+  out.J = flawed_impulse(hit, flaw, mass);
+  out.P = flawed_friction(hit, flaw, mass, out.J);
+  const Vector3d impulse = out.J * hit.n + out.P;
+  const bool swapped = flaw == Flaw::swapped_masses;
+  const bool both_move = (hit.variant == 1) != (flaw == Flaw::other_variant);
+  const Vector3d change = impulse / (swapped ? hit.m_i : hit.m_j);
+  out.v_i = hit.v_i + impulse / (swapped ? hit.m_j : hit.m_i);
+  out.v_j = hit.v_j;
+  if (both_move) out.v_j += flaw == Flaw::same_direction ? change : Vector3d(-change);
+  return out;
+}
+
+std::vector<double> numbers(const Vector3d& a) { return {a.x(), a.y(), a.z()}; }
+
+std::vector<double> numbers(const Vector3d& a, const Vector3d& b) { return {a.x(), a.y(), a.z(), b.x(), b.y(), b.z()}; }
+
+// In the order in which the driver takes them.
+std::vector<double> inputs(const Hit& hit) {
+  std::vector<double> all{hit.m_i, hit.v_i.x(), hit.v_i.y(), hit.v_i.z(), hit.m_j, hit.v_j.x(), hit.v_j.y()};
+  all.insert(all.end(), {hit.v_j.z(), hit.n.x(), hit.n.y(), hit.n.z(), hit.e, hit.friction.mu_s, hit.friction.mu_d});
+  return all;
+}
+
+template <class Part>
+std::vector<Mistake> mistakes(const Hit& hit, const Part& part) {
+  std::vector<Mistake> all;
+  for (const auto& [flaw, hint] : flaws) all.push_back({part(flawed(hit, flaw)), hint});
+  return all;
+}
+
+Question ask_normal(double degrees) {
+  const double angle = degrees * std::numbers::pi / 180.0, inverse = degrees * 180.0 / std::numbers::pi;
+  const double c = std::cos(angle), s = std::sin(angle);
+  const std::string in_degrees = "the angle is in degrees, std::cos and std::sin take radians: times pi/180";
+  return {.function = "normal",
+          .inputs = {degrees},
+          .expected = {c, s, 0.0},
+          .mistakes = {{{std::cos(degrees), std::sin(degrees), 0.0}, in_degrees},
+                       {{std::cos(inverse), std::sin(inverse), 0.0}, in_degrees + ", not over it"},
+                       {{s, c, 0.0}, "the angle is measured from the x axis: the cosine is the x component"},
+                       {{c, -s, 0.0}, "sign: the angle turns from the x axis towards the y axis"},
+                       {{-c, -s, 0.0}, "sign of n: it points along (cos, sin, 0)"}}};
+}
+
+Question ask_normal_impulse(const Hit& hit) {
+  return {.function = "normal_impulse",
+          .inputs = inputs(hit),
+          .expected = {by_library(hit).impulse.normal},
+          .mistakes = mistakes(hit, [](const Outcome& out) { return std::vector<double>{out.J}; })};
+}
+
+Question ask_friction_impulse(const Hit& hit) {
+  return {.function = "friction_impulse",
+          .inputs = inputs(hit),
+          .expected = numbers(by_library(hit).impulse.tangential),
+          .mistakes = mistakes(hit, [](const Outcome& out) { return numbers(out.P); })};
+}
+
+Question ask_impact(const Hit& hit) {
+  const contact::Rebound after = by_library(hit);
+  return {.function = "impact",
+          .inputs = inputs(hit),
+          .expected = numbers(after.velocity_i, after.velocity_j),
+          .mistakes = mistakes(hit, [](const Outcome& out) { return numbers(out.v_i, out.v_j); })};
+}
+
+Vector3d direction(Draw& draw) {
+  const double azimuth = draw.between(0.3, 1.2), height = draw.between(0.2, 0.7),
+               level = std::sqrt(1.0 - height * height);
+  return {level * std::cos(azimuth), level * std::sin(azimuth), height};
+}
+
+// Surfaces and masses far enough from one another that no mistake looks like another one.
+Hit some_pair(int variant, Draw& draw) {
+  Hit hit{.variant = variant, .m_i = draw.between(1.0, 2.0), .m_j = draw.between(4.5, 6.0), .n = direction(draw)};
+  hit.e = draw.between(0.6, 0.8);
+  hit.friction = {.mu_s = draw.between(0.5, 0.7), .mu_d = draw.between(0.15, 0.3)};
+  return hit;
+}
+
+// Sets velocities: u of approach, and a slip that needs `share` of the friction that sticking may use.
+Hit with_velocities(Hit hit, double u, double share, Draw& draw) {
+  const Vector3d across = hit.n.cross(Vector3d{draw.between(0.5, 1.0), -draw.between(0.5, 1.0), 0.4}).normalized();
+  const double slip = share * hit.friction.mu_s * (1.0 + hit.e) * u;
+  hit.v_j = Vector3d{draw.between(-2.0, -1.0), draw.between(0.5, 1.5), draw.between(0.5, 1.5)};
+  hit.v_i = hit.v_j + u * hit.n + slip * across;
+  return hit;
+}
+
+Hit oblique(int variant, double share, Draw& draw) {
+  const Hit pair = some_pair(variant, draw);
+  const double u = draw.between(1.0, 3.0);
+  return with_velocities(pair, u, share, draw);
+}
+
+// Numbers for a calculation by hand; both go on along y together, so that nothing slips. The ratios of these masses, of
+// sums with e, and the coefficients of friction all differ.
+Hit head_on(int variant, Draw& draw) {
+  constexpr std::array<double, 3> restitutions{0.6, 0.7, 0.8}, masses{7.0, 11.0, 13.0};
+  Hit hit{.variant = variant, .m_i = 1.0 + draw.one_of(3), .m_j = masses[static_cast<std::size_t>(draw.one_of(3))]};
+  const double a = 2.0 + draw.one_of(3), b = 1.0 + draw.one_of(3), along = 1.0 + draw.one_of(4);
+  hit.v_i = {a, along, 0.0};
+  hit.v_j = {-b, along, 0.0};
+  hit.e = restitutions[static_cast<std::size_t>(draw.one_of(3))];
+  hit.friction = {.mu_s = 0.5, .mu_d = 0.3};
+  return hit;
+}
+
+Line exact_case(int variant, Draw& draw) {
+  const double degrees = draw.between(20.0, 35.0);
+  const Hit straight = head_on(variant, draw);
+  const Hit gentle = oblique(variant, draw.between(0.1, 0.2), draw);
+  const Hit sticking = oblique(variant, draw.between(0.7, 0.9), draw);
+  const Hit sliding = oblique(variant, draw.between(1.5, 2.5), draw);
+  return {.name = "exact case: head-on, sticking and sliding",
+          .points = 5.0,
+          .relative = 1e-10,
+          .absolute = 1e-12,
+          .questions = {ask_normal(degrees), ask_impact(straight), ask_normal_impulse(straight),
+                        ask_normal_impulse(sliding), ask_friction_impulse(gentle), ask_friction_impulse(sticking),
+                        ask_friction_impulse(sliding), ask_impact(sticking), ask_impact(sliding)}};
+}
+
+Line limit_case(int variant, Draw& draw) {
+  Hit smooth = oblique(variant, draw.between(1.5, 2.5), draw);
+  smooth.friction = {};
+  Hit against_wall = oblique(variant, draw.between(0.1, 0.2), draw);
+  against_wall.m_j = 1e12 * against_wall.m_i;
+  Hit of_wall = oblique(variant, draw.between(0.7, 0.9), draw);
+  of_wall.m_i = 1e12 * of_wall.m_j;
+  Hit elastic = oblique(variant, draw.between(1.5, 2.5), draw);
+  elastic.e = 1.0;
+  Hit plastic = oblique(variant, draw.between(0.4, 0.9), draw);
+  plastic.e = 0.0;
+  plastic.friction.mu_s = 4.0;
+  Line line{.name = "limit case: e = 0 and 1, no friction, one mass 1e12 times the other",
+            .points = 5.0,
+            .relative = 1e-10,
+            .absolute = 1e-12};
+  for (const Hit& hit : {smooth, against_wall, of_wall, elastic, plastic}) line.questions.push_back(ask_impact(hit));
+  return line;
+}
+
+// What any answer to a hit must obey, from the velocities alone. NaN obeys nothing.
+struct Facts {
+  Hit hit;
+  Vector3d v_i, v_j;
+
+  Facts(const Hit& before, const std::vector<double>& answer) : hit(before) {
+    v_i = Eigen::Map<const Vector3d>(answer.data());
+    v_j = Eigen::Map<const Vector3d>(answer.data() + 3);
+  }
+
+  std::optional<Finding> momentum() const {
+    const Vector3d gained_i = hit.m_i * (v_i - hit.v_i), gained_j = hit.m_j * (v_j - hit.v_j);
+    if (hit.variant == 2) {
+      if ((v_j - hit.v_j).norm() <= 1e-9) return std::nullopt;
+      return Finding{"the velocity of j, which is driven, stays as it is",
+                     fmt::format("it changes by {:.6g} m/s", (v_j - hit.v_j).norm()), hint_of(Flaw::other_variant)};
+    }
+    const double lost = (gained_i + gained_j).norm();
+    if (lost <= 1e-9) return std::nullopt;
+    return Finding{"momentum is kept: m_i v_i + m_j v_j is the same before and after",
+                   fmt::format("it changes by {:.6g} N s", lost), momentum_hint(gained_i, gained_j)};
+  }
+
+  std::optional<Finding> restitution() const {
+    const double out = (v_j - v_i).dot(hit.n), in = approach(hit);
+    if (std::abs(out - hit.e * in) <= 1e-9) return std::nullopt;
+    return Finding{fmt::format("the bodies part at e u = {:.10g} m/s", hit.e * in), fmt::format("{:.10g} m/s", out),
+                   "restitution: along n the speed of parting is e times that of approach; look at 1 + e, at the "
+                   "masses, and that e compares velocities, not energies"};
+  }
+
+  // Of the motion of i over j, which alone an impact can change.
+  std::optional<Finding> energy() const {
+    const double before = 0.5 * reduced_mass(hit) * (hit.v_i - hit.v_j).squaredNorm();
+    const double after = 0.5 * reduced_mass(hit) * (v_i - v_j).squaredNorm();
+    if (after <= before * (1.0 + 1e-9)) return std::nullopt;
+    return Finding{fmt::format("no energy is gained: of the relative motion there was {:.10g} J", before),
+                   fmt::format("{:.10g} J", after), hint_of(Flaw::friction_pushes)};
+  }
+
+  std::optional<Finding> friction() const {
+    const Vector3d before = across(hit.v_i - hit.v_j), after = across(v_i - v_j);
+    const double J = std::abs(hit.m_i * (v_i - hit.v_i).dot(hit.n));
+    const double P = hit.m_i * across(v_i - hit.v_i).norm(), needed = reduced_mass(hit) * before.norm();
+    if (!(after.dot(before) >= -1e-9)) {
+      return Finding{"friction does not reverse the sliding", fmt::format("{:.6g} m/s backwards", after.norm()),
+                     hint_of(Flaw::never_sticks)};
+    }
+    const bool sticks = needed <= hit.friction.mu_s * J;
+    const double right = sticks ? needed : hit.friction.mu_d * J;
+    const bool is_straight = std::abs(after.norm() * before.norm() - after.dot(before)) <= 1e-9;
+    if (std::abs(P - right) <= 1e-9 && is_straight) return std::nullopt;
+    return Finding{fmt::format("it {} with |P| = {:.10g} N s against the slip", sticks ? "sticks" : "slides", right),
+                   fmt::format("|P| = {:.10g} N s", P),
+                   "friction: mu_s decides whether it sticks, mu_d how strongly it slides; P is against the slip"};
+  }
+
+  std::optional<Finding> all() const {
+    for (const auto fact : {&Facts::momentum, &Facts::restitution, &Facts::energy, &Facts::friction}) {
+      if (const std::optional<Finding> wrong = (this->*fact)()) return wrong;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  Vector3d across(const Vector3d& a) const { return a - a.dot(hit.n) * hit.n; }
+
+  std::string momentum_hint(const Vector3d& gained_i, const Vector3d& gained_j) const {
+    if ((gained_i - gained_j).norm() <= 1e-9) return hint_of(Flaw::same_direction);
+    if ((gained_i / (hit.m_i * hit.m_i) + gained_j / (hit.m_j * hit.m_j)).norm() <= 1e-9) {
+      return hint_of(Flaw::swapped_masses);
+    }
+    return "momentum: j gets the opposite of the impulse on i, each velocity changes by it over its own mass";
+  }
+
+  static std::string hint_of(Flaw wanted) {
+    return std::find_if(flaws.begin(), flaws.end(), [&](const auto& entry) { return entry.first == wanted; })->second;
+  }
+};
+
+Line conservation(int variant, Draw& draw) {
+  std::vector<Hit> hits;
+  for (const double share : {0.15, 0.8, 1.3, 3.0}) hits.push_back(oblique(variant, share, draw));
+  Line line{.name = "conservation: momentum, restitution, energy and Coulomb's law of your own answers", .points = 5.0};
+  line.relative = 1e-9;
+  for (const Hit& hit : hits) line.questions.push_back({.function = "impact", .inputs = inputs(hit), .count = 6});
+  line.holds = [hits](const Answers& answers) -> std::optional<Finding> {
+    for (std::size_t k = 0; k < hits.size(); ++k) {
+      if (const std::optional<Finding> wrong = Facts(hits[k], answers[k]).all()) return wrong;
+    }
+    return std::nullopt;
+  };
+  return line;
+}
+
+Hit grazing(int variant, double degrees, Draw& draw) {
+  const double angle = degrees * std::numbers::pi / 180.0, speed = draw.between(5.0, 10.0);
+  const Hit pair = some_pair(variant, draw);
+  const double u = speed * std::cos(angle);
+  const double share = speed * std::sin(angle) / (pair.friction.mu_s * (1.0 + pair.e) * u);
+  return with_velocities(pair, u, share, draw);
+}
+
+Line extreme_case(int variant, Draw& draw) {
+  const Hit graze = grazing(variant, 89.9, draw);
+  const Hit parting = grazing(variant, 120.0, draw);
+  Hit touching = head_on(variant, draw);
+  touching.v_j = touching.v_i + Vector3d(0.0, 1.0, 1.0);
+  const Hit just_sticks = oblique(variant, 1.0 - 1e-6, draw), just_slides = oblique(variant, 1.0 + 1e-6, draw);
+  Hit dust = oblique(variant, 0.15, draw);
+  dust.m_i *= 1e-15;
+  dust.m_j *= 1e-14;
+  Line line{.name = "extreme case: grazing, parting, the edge of sticking, grains of dust", .points = 5.0};
+  line.relative = 1e-10;
+  line.absolute = 1e-12;
+  for (const Hit& hit : {dust, just_sticks, graze, parting, touching, just_slides}) {
+    line.questions.push_back(ask_impact(hit));
+    line.questions.back().otherwise =
+        "compare u with 0 and m* |slip| with mu_s |J| as they are: no small number belongs into a comparison, a mass "
+        "or a length";
+  }
+  return line;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return grading::run(argc, argv,
+                      {.title = "Chapter 2: the impact of two bodies with friction",
+                       .variants = {"both bodies move", "body j is driven, its velocity stays as it is"},
+                       .lines = [](int variant, Draw& draw) -> std::vector<Line> {
+                         // One after the other: each takes its numbers from the same stream.
+                         Line exact = exact_case(variant, draw);
+                         Line limit = limit_case(variant, draw);
+                         Line conserved = conservation(variant, draw);
+                         Line extreme = extreme_case(variant, draw);
+                         return {std::move(exact), std::move(limit), std::move(conserved), std::move(extreme)};
+                       }});
+}

@@ -1,0 +1,463 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include <particulate/schemes/phi_control.hpp>
+#include <particulate/schemes/phi_family.hpp>
+
+#include "grading.hpp"
+
+using grading::Answers;
+using grading::Draw;
+using grading::Finding;
+using grading::Line;
+using grading::Mistake;
+using grading::Question;
+
+namespace {
+
+namespace schemes = particulate::schemes;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+// Sweeps, settings and a step as the student gets them.
+struct Field {
+  double w_0 = 0.0, w_K = 0.0;
+  int K = 0, p = 2;
+  double TOL = 0.0;
+};
+
+struct Step {
+  double dt = 0.0;
+  schemes::PhiControl control;  // of which TOL is not used
+  std::vector<Field> fields;
+};
+
+schemes::Iteration iteration(const Field& field, double unit) {
+  // The library keeps what is no number out of its measure: to it, sweeps that overflow have no finite change.
+  const double w_K = std::isnan(field.w_K) ? infinity : field.w_K;
+  return {.w_0 = field.w_0 / unit, .w_K = w_K / unit, .K = field.K, .p = field.p};
+}
+
+double factor_by_library(const Field& field, int K_d) {
+  if (field.K == 0) return infinity;
+  return schemes::phi_K(iteration(field, 1.0), field.TOL, K_d);
+}
+
+// Staggered fields come to the controller in units of their tolerances, the worst as the iteration of the step.
+std::vector<double> decision_by_library(const Step& step) {
+  std::vector<schemes::Iteration> all;
+  for (const Field& field : step.fields) all.push_back(iteration(field, field.TOL));
+  const auto worst =
+      std::max_element(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.w_K < b.w_K; });
+  schemes::PhiControl control = step.control;
+  control.TOL = 1.0;
+  control.step = step.dt;
+  validate(control);
+  const schemes::Decision decision = control.judge({.dt = step.dt, .iteration = *worst, .fields = all});
+  return {decision.accepted ? 1.0 : 0.0, control.step};
+}
+
+// What can be wrong. Where several mistakes give the same answer, the hint of the first one is shown.
+enum class Flaw {
+  none,
+  whole_numbers,
+  forgotten_p,
+  p_outside,
+  swapped_contractions,
+  counts_sweeps,
+  same_root,
+  same_root_desired,
+  upside_down,
+  contraction_inverted,
+  last_change,
+  forgotten_first,
+  turned_decision,
+  strictly_below,
+  no_limit,
+  no_growth_bound,
+  no_retry_bound,
+  no_shrink_bound,
+  first_field,
+  common_tolerance,
+  any_field,
+  summed_errors,
+  mean_factor,
+  largest_factor
+};
+
+const std::vector<std::pair<Flaw, std::string>> flaws_of_factor{
+    {Flaw::whole_numbers, "1/(p K) of whole numbers is 0, and any number to the power of 0 is 1: write 1.0/(p K)"},
+    {Flaw::forgotten_p, "p is forgotten: w_K = (S dt^p)^K w_0, so both roots are 1/(p K_d) and 1/(p K)"},
+    {Flaw::p_outside, "p divides both exponents, 1/(p K_d) and 1/(p K): solve w_K = (S dt^p)^K w_0 for dt"},
+    {Flaw::swapped_contractions, "K_d and K are swapped: K_d belongs to TOL, K to the w_K that was seen"},
+    {Flaw::counts_sweeps, "K counts contractions, not sweeps: it is K as given, not K + 1"},
+    {Flaw::same_root, "two roots: w_K was seen after K contractions, TOL is wanted after K_d"},
+    {Flaw::same_root_desired, "two roots: w_K was seen after K contractions, TOL is wanted after K_d"},
+    {Flaw::upside_down, "the ratio is inverted: a larger TOL allows a larger step"},
+    {Flaw::contraction_inverted, "the contraction that was seen is (w_K/w_0)^(1/K), below 1 if it converges"},
+    {Flaw::last_change, "TOL is compared with w_0, not with w_K: both errors start from the first change"},
+    {Flaw::forgotten_first, "w_0 is forgotten: TOL and w_K are both reached from it, TOL/w_0 and w_K/w_0"}};
+
+const std::vector<std::pair<Flaw, std::string>> flaws_of_decision{
+    {Flaw::strictly_below, "a step that meets TOL exactly stands: w_K <= TOL"},
+    {Flaw::any_field, "a step stands if every field has met its tolerance, not if some field has"},
+    {Flaw::summed_errors, "the largest w_K/TOL decides, not the sum over the fields"},
+    {Flaw::turned_decision, "the decision is turned round: a step stands if w_K <= TOL"},
+    {Flaw::no_limit, "cap forgotten: no step is larger than limit"},
+    {Flaw::no_growth_bound, "cap forgotten: after an accepted step at most growth dt"},
+    {Flaw::no_retry_bound, "cap forgotten: after a refused step at most retry dt, or it fails by a hair again"},
+    {Flaw::no_shrink_bound, "bound forgotten: after a refused step at least shrink dt"},
+    {Flaw::first_field, "every field counts, not the first alone"},
+    {Flaw::common_tolerance, "each field has a tolerance of its own"},
+    {Flaw::mean_factor, "the smallest Phi_K of all fields rules, not their mean"},
+    {Flaw::largest_factor, "the smallest Phi_K of all fields rules, not the largest"}};
+
+double flawed_factor(const Field& field, int K_d, Flaw flaw) {
+  if (field.w_K == 0.0 || field.K == 0) return infinity;
+  if (!std::isfinite(field.w_K)) return 0.0;
+  double wanted = field.TOL / field.w_0, seen = field.w_K / field.w_0;
+  double p = field.p, K = field.K, desired = K_d;
+  if (flaw == Flaw::whole_numbers) return 1.0;
+  if (flaw == Flaw::forgotten_p) p = 1.0;
+  if (flaw == Flaw::p_outside) p = 1.0 / p;
+  if (flaw == Flaw::swapped_contractions) std::swap(desired, K);
+  if (flaw == Flaw::counts_sweeps) K += 1.0;
+  if (flaw == Flaw::same_root) desired = K;
+  if (flaw == Flaw::same_root_desired) K = desired;
+  if (flaw == Flaw::contraction_inverted) seen = 1.0 / seen;
+  if (flaw == Flaw::last_change) wanted = field.TOL / field.w_K;
+  if (flaw == Flaw::forgotten_first) wanted = field.TOL, seen = field.w_K;
+  if (flaw == Flaw::upside_down) return 1.0 / flawed_factor(field, K_d, Flaw::none);
+  return std::pow(wanted, 1.0 / (p * desired)) / std::pow(seen, 1.0 / (p * K));
+}
+
+double flawed_factor(const Step& step, Flaw flaw) {
+  double smallest = infinity, largest = 0.0, sum = 0.0;
+  for (const Field& field : step.fields) {
+    const double phi = flawed_factor(field, step.control.K_d, flaw);
+    smallest = std::min(smallest, phi);
+    largest = std::max(largest, phi);
+    sum += phi;
+  }
+  if (flaw == Flaw::largest_factor) return largest;
+  if (flaw == Flaw::mean_factor) return sum / static_cast<double>(step.fields.size());
+  return smallest;
+}
+
+bool flawed_acceptance(const Step& step, Flaw flaw) {
+  double smallest = infinity, largest = 0.0, sum = 0.0;
+  for (const Field& field : step.fields) {
+    const double w = std::isnan(field.w_K) ? infinity : field.w_K / field.TOL;
+    smallest = std::min(smallest, w);
+    largest = std::max(largest, w);
+    sum += w;
+  }
+  if (flaw == Flaw::turned_decision) return !(largest <= 1.0);
+  if (flaw == Flaw::strictly_below) return largest < 1.0;
+  if (flaw == Flaw::any_field) return smallest <= 1.0;
+  if (flaw == Flaw::summed_errors) return sum <= 1.0;
+  return largest <= 1.0;
+}
+
+std::vector<double> flawed_decision(Step step, Flaw flaw) {
+  if (flaw == Flaw::first_field) step.fields.resize(1);
+  if (flaw == Flaw::common_tolerance) {
+    for (Field& field : step.fields) field.TOL = step.fields.front().TOL;
+  }
+  const schemes::PhiControl& control = step.control;
+  const bool accepted = flawed_acceptance(step, flaw);
+  const double low = accepted ? 1.0 : flaw == Flaw::no_shrink_bound ? 0.0 : control.shrink;
+  double high = accepted ? control.growth : control.retry;
+  if (flaw == (accepted ? Flaw::no_growth_bound : Flaw::no_retry_bound)) high = infinity;
+  const double next = std::clamp(flawed_factor(step, flaw), low, high) * step.dt;
+  return {accepted ? 1.0 : 0.0, flaw == Flaw::no_limit ? next : std::min(next, control.limit)};
+}
+
+std::vector<double> inputs(const Field& field) {
+  return {field.w_0, field.w_K, static_cast<double>(field.K), static_cast<double>(field.p), field.TOL};
+}
+
+// In the order in which the driver takes them.
+std::vector<double> inputs(const Step& step) {
+  const schemes::PhiControl& control = step.control;
+  std::vector<double> all{step.dt,       static_cast<double>(control.K_d), control.limit, control.growth, control.retry,
+                          control.shrink};
+  for (const Field& field : step.fields) {
+    for (const double x : inputs(field)) all.push_back(x);
+  }
+  return all;
+}
+
+Question ask_factor(const Field& field, int K_d) {
+  Question question{.function = "step_factor", .inputs = inputs(field), .expected = {factor_by_library(field, K_d)}};
+  question.inputs.push_back(K_d);
+  for (const auto& [flaw, hint] : flaws_of_factor) {
+    question.mistakes.push_back({{flawed_factor(field, K_d, flaw)}, hint});
+  }
+  return question;
+}
+
+Question ask_decision(const Step& step) {
+  Question question{.function = "next_step", .inputs = inputs(step), .expected = decision_by_library(step)};
+  for (const auto* flaws : {&flaws_of_decision, &flaws_of_factor}) {
+    for (const auto& [flaw, hint] : *flaws) question.mistakes.push_back({flawed_decision(step, flaw), hint});
+  }
+  return question;
+}
+
+// A field whose last change is `share` of its tolerance after K contractions.
+Field field(int p, int K, double share, Draw& draw) {
+  const double w_0 = draw.between(0.05, 0.2), TOL = p == 2 ? draw.between(1e-6, 3e-6) : draw.between(5e-6, 9e-6);
+  return {.w_0 = w_0, .w_K = share * TOL, .K = K, .p = p, .TOL = TOL};
+}
+
+// The exponents of the fields: one of second order, or a motion with a temperature. Where both converge alike, the
+// larger exponent has the smaller Phi_K.
+std::vector<int> exponents(int variant) { return variant == 1 ? std::vector<int>{2} : std::vector<int>{2, 1}; }
+
+// All fields that the variant has, alike, with bounds that no Phi_K in the exact case comes near to.
+Step step(int variant, int K, int K_d, Draw& draw) {
+  Step step;
+  step.dt = draw.between(0.001, 0.009);
+  step.control = {.K_d = K_d, .limit = 20.0 * step.dt, .growth = 8.0, .retry = 0.95, .shrink = 0.1};
+  for (const int p : exponents(variant)) step.fields.push_back(field(p, K, draw.between(0.55, 0.9), draw));
+  return step;
+}
+
+Step reversed(Step step) {
+  std::reverse(step.fields.begin(), step.fields.end());
+  return step;
+}
+
+Line exact_case(int variant, Draw& draw) {
+  const int K = 4 + draw.one_of(2), K_d = 7 + draw.one_of(3);
+  const Step early = step(variant, K, K_d, draw);
+  Step late = step(variant, K_d, K_d, draw);
+  for (Field& field : late.fields) field.w_K *= draw.between(20.0, 100.0);
+  Step one_late = step(variant, K_d, K_d, draw);
+  one_late.fields.back().w_K *= draw.between(20.0, 100.0);
+  Line line{.name = "exact case: steps that converge early, steps that do not", .points = 5.0, .relative = 1e-10};
+  for (const Field& field : early.fields) line.questions.push_back(ask_factor(field, K_d));
+  for (const Field& field : late.fields) line.questions.push_back(ask_factor(field, K_d));
+  // In this order each mistake first shows where no other one gives the same answer.
+  for (const Step& step : {reversed(late), late, one_late, reversed(one_late), early, reversed(early)}) {
+    line.questions.push_back(ask_decision(step));
+  }
+  return line;
+}
+
+Line limit_case(int variant, Draw& draw) {
+  const int K_d = 6 + draw.one_of(3);
+  Step met = step(variant, K_d, K_d, draw);
+  for (Field& field : met.fields) field.w_K = field.TOL;
+  Step grows = step(variant, 2, K_d, draw);
+  for (Field& field : grows.fields) field.w_K *= 1e-3;
+  grows.control.growth = draw.between(1.2, 1.8);
+  Step limited = step(variant, 4, K_d + 3, draw);
+  limited.fields.front().w_K = 0.95 * limited.fields.front().TOL;
+  limited.fields.back().w_K = 0.1 * limited.fields.back().TOL;
+  limited.control.limit = draw.between(1.02, 1.1) * limited.dt;
+  Step barely = step(variant, K_d, K_d, draw);
+  barely.fields.back().w_K = 1.01 * barely.fields.back().TOL;
+  barely.control.retry = draw.between(0.7, 0.9);
+  Line line{.name = "limit case: TOL met exactly, and each cap", .points = 5.0, .relative = 1e-10};
+  line.questions = {ask_factor(limited.fields.front(), limited.control.K_d), ask_factor(met.fields.front(), K_d)};
+  for (const Step& step : {grows, limited, met, barely}) line.questions.push_back(ask_decision(step));
+  return line;
+}
+
+// Linear problems on which a sweep contracts by the model exactly: from rest w_0 = 1, whatever the step.
+struct Spring {
+  double omega = 1.0;
+  bool acceleration(double, schemes::In r, schemes::Out a) const {
+    a = -omega * omega * r;
+    return true;
+  }
+};
+
+struct Decay {
+  double c = 1.0;
+  bool rate(double, schemes::In y, schemes::Out dy) const {
+    dy = -c * y;
+    return true;
+  }
+};
+
+// Sweeps of the library's backward Euler, as many contractions as asked for.
+template <class Problem, class State>
+schemes::Iteration sweep(Problem problem, const State& from, double dt, int contractions) {
+  schemes::BackwardEuler scheme;
+  State to;
+  schemes::Iteration it;
+  scheme.predict(problem, from, dt, to);
+  for (int k = 0; k <= contractions; ++k) it = scheme.sweep(problem, from, dt, to);
+  if (!it.evaluated) it.w_K = infinity;
+  return it;
+}
+
+// A field is known by its exponent: the spring has p = 2, the decay p = 1; one constant serves both.
+schemes::Iteration sweep(int p, double constant, double dt, int contractions) {
+  if (p == 1) {
+    schemes::Values start;
+    start.y = Eigen::VectorXd::Ones(1);
+    return sweep(Decay{constant}, start, dt, contractions);
+  }
+  schemes::Motion start;
+  start.r = Eigen::VectorXd::Ones(1);
+  start.v = Eigen::VectorXd::Zero(1);
+  return sweep(Spring{constant}, start, dt, contractions);
+}
+
+struct Trial {
+  Step step;
+  std::vector<double> constants;  // of its fields, 1/s
+};
+
+// A step with these contractions, swept by the library until every field has met its tolerance, or K_d times.
+Trial trial(int variant, double contraction_2, double contraction_1, Draw& draw) {
+  Trial trial;
+  Step& step = trial.step;
+  step.dt = draw.between(0.01, 0.09);
+  step.control = {.K_d = 6, .limit = 100.0 * step.dt, .growth = 50.0, .retry = 0.99, .shrink = 0.01};
+  for (const int p : exponents(variant)) {
+    trial.constants.push_back((p == 2 ? std::sqrt(contraction_2) : contraction_1) / step.dt);
+    step.fields.push_back({.p = p, .TOL = p == 2 ? draw.between(1e-5, 2e-5) : draw.between(1e-4, 2e-4)});
+  }
+  bool met = false;
+  for (int K = 1; K <= step.control.K_d && !met; ++K) {
+    met = true;
+    for (std::size_t k = 0; k < step.fields.size(); ++k) {
+      Field& field = step.fields[k];
+      const schemes::Iteration it = sweep(field.p, trial.constants[k], step.dt, K);
+      field = {.w_0 = it.w_0, .w_K = it.w_K, .K = it.K, .p = field.p, .TOL = field.TOL};
+      met = met && it.w_K <= field.TOL;
+    }
+  }
+  return trial;
+}
+
+// What the step that the student proposes leaves after K_d contractions, over the tolerance, in the worst field.
+double left_over(const Trial& trial, double dt) {
+  if (!(dt > 0.0 && std::isfinite(dt))) return nan;
+  double worst = 0.0;
+  for (std::size_t k = 0; k < trial.constants.size(); ++k) {
+    const Field& field = trial.step.fields[k];
+    worst = std::max(worst, sweep(field.p, trial.constants[k], dt, trial.step.control.K_d).w_K / field.TOL);
+  }
+  return worst;
+}
+
+std::optional<Finding> meets_in_desired(const Trial& trial, const std::vector<double>& answer, double tolerance) {
+  const int K_d = trial.step.control.K_d;
+  const bool accepts = decision_by_library(trial.step).front() == 1.0;
+  if ((answer[0] == 1.0) != accepts) {
+    return Finding{fmt::format("the step of {:.6g} s is {}", trial.step.dt, accepts ? "accepted" : "refused"),
+                   "the opposite", "a step stands if every field has w_K <= TOL, and only then"};
+  }
+  const double left = left_over(trial, answer[1]);
+  if (std::abs(left - 1.0) <= tolerance) return std::nullopt;
+  return Finding{
+      fmt::format("w/TOL = 1 after {} contractions, swept by the library with your next step after {:.6g} s", K_d,
+                  trial.step.dt),
+      fmt::format("w/TOL = {:.10g} with your {:.10g} s", left, answer[1]),
+      left > 1.0
+          ? "your step is too large to meet TOL in K_d contractions: look at p, K, K_d and at the field that rules"
+      : left < 1.0 ? "your step is smaller than TOL asks for: look at p, K, K_d and at the field that rules"
+                   : "the next step must be positive and finite"};
+}
+
+Line order(int variant, Draw& draw) {
+  // On the first the motion rules, on the second the temperature.
+  const double small = draw.between(0.04, 0.06), large = draw.between(0.6, 0.8);
+  const std::vector<Trial> trials{trial(variant, small, small, draw), trial(variant, 0.5 * large, large, draw)};
+  Line line{.name = "order: the library sweeps with your next step, and meets TOL in K_d contractions", .points = 5.0};
+  // Sweeps that have converged to TOL keep so many digits of their last change.
+  line.relative = 1e-6;
+  for (const Trial& trial : trials) {
+    line.questions.push_back({.function = "next_step", .inputs = inputs(trial.step), .count = 2});
+  }
+  line.holds = [trials, tolerance = line.relative](const Answers& answers) -> std::optional<Finding> {
+    for (std::size_t k = 0; k < trials.size(); ++k) {
+      if (const std::optional<Finding> wrong = meets_in_desired(trials[k], answers[k], tolerance)) return wrong;
+    }
+    return std::nullopt;
+  };
+  return line;
+}
+
+// Steps whose last field is out of the ordinary.
+Step extreme(int variant, double w_0, double w_K, int K, Draw& draw) {
+  Step extreme = step(variant, K, 8, draw);
+  extreme.control.growth = draw.between(1.2, 1.8);
+  extreme.control.shrink = draw.between(0.2, 0.4);
+  Field& last = extreme.fields.back();
+  last.w_0 = w_0;
+  last.w_K = w_K;
+  return extreme;
+}
+
+Question ask_without_number(const Step& step) {
+  Question question = ask_decision(step);
+  const std::string hint = "NaN fails every comparison: accept where w_K <= TOL, do not refuse where w_K > TOL";
+  const Mistake grows{{1.0, step.control.growth * step.dt}, hint}, stays{{1.0, step.dt}, hint};
+  question.mistakes.insert(question.mistakes.begin(), {grows, stays});
+  return question;
+}
+
+Question unguarded(Question question) {
+  question.mistakes.insert(question.mistakes.begin(),
+                           {{nan}, "guard 0/0: w_K = 0 or K = 0 gives an infinite factor, before anything is divided"});
+  return question;
+}
+
+Line extreme_case(int variant, Draw& draw) {
+  const Step diverges = extreme(variant, 0.1, 1e30, 8, draw);
+  const Step overflows = extreme(variant, 0.1, infinity, 8, draw);
+  const Step no_number = extreme(variant, 0.1, nan, 8, draw);
+  const Step exactly = extreme(variant, 0.1, 0.0, 3, draw);
+  const Step rests = extreme(variant, 0.0, 0.0, 0, draw);
+  const Step at_once = extreme(variant, 1e-9, 1e-9, 0, draw);
+  Step sharp = step(variant, 4, 6, draw);
+  sharp.control.growth = 50.0;
+  for (Field& field : sharp.fields) field = {.w_0 = 1e-3, .w_K = 1e-16, .K = 4, .p = field.p, .TOL = 1e-15};
+  Line line{.name = "extreme case: divergence, overflow, nothing moves, TOL = 1e-15", .points = 5.0, .relative = 1e-10};
+  line.questions = {ask_factor(sharp.fields.front(), 6),
+                    unguarded(ask_factor(exactly.fields.back(), 8)),
+                    unguarded(ask_factor(rests.fields.back(), 8)),
+                    ask_decision(sharp),
+                    ask_decision(diverges),
+                    ask_decision(overflows),
+                    ask_without_number(no_number)};
+  for (const Step& step : {exactly, rests, at_once}) line.questions.push_back(ask_decision(step));
+  for (Question& question : line.questions) {
+    question.otherwise =
+        "w_K = 0 or K = 0 gives an infinite factor; a w_K that is infinite or NaN is refused with "
+        "shrink dt; no small number belongs into a quotient";
+  }
+  return line;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return grading::run(
+      argc, argv,
+      {.title = "Chapter 3: the step size from the sweeps",
+       .variants = {"one field of second order, p = 2", "two staggered fields, p = 2 and 1, each with its tolerance"},
+       .lines = [](int variant, Draw& draw) -> std::vector<Line> {
+         // One after the other: each takes its numbers from the same stream.
+         Line exact = exact_case(variant, draw);
+         Line limit = limit_case(variant, draw);
+         Line consistent = order(variant, draw);
+         Line extreme = extreme_case(variant, draw);
+         return {std::move(exact), std::move(limit), std::move(consistent), std::move(extreme)};
+       }});
+}

@@ -1,0 +1,20 @@
+// Mistake: degrees are taken for radians.
+// graded: --variant 1 --student anna -> 15
+// graded: --variant 1 --student bob@school.edu -> 15
+// hint: the angle is in degrees
+
+#include "right.hpp"
+
+Eigen::Vector3d normal(double degrees) { return {std::cos(degrees), std::sin(degrees), 0.0}; }
+
+double normal_impulse(const Body& i, const Body& j, const Eigen::Vector3d& n, double e) {
+  return right::normal_impulse(i, j, n, e);
+}
+
+Eigen::Vector3d friction_impulse(const Body& i, const Body& j, const Eigen::Vector3d& n, const Surface& surface) {
+  return right::friction_impulse(i, j, n, surface);
+}
+
+Velocities impact(const Body& i, const Body& j, const Eigen::Vector3d& n, const Surface& surface) {
+  return right::after(i, j, normal_impulse(i, j, n, surface.e) * n + friction_impulse(i, j, n, surface));
+}

@@ -1,0 +1,21 @@
+// Mistake: friction drives the sliding on.
+// graded: --variant 1 --student anna -> 0
+// graded: --variant 1 --student bob@school.edu -> 0
+// hint: sign of friction
+// hint: no energy is gained
+
+#include "right.hpp"
+
+Eigen::Vector3d normal(double degrees) { return right::normal(degrees); }
+
+double normal_impulse(const Body& i, const Body& j, const Eigen::Vector3d& n, double e) {
+  return right::normal_impulse(i, j, n, e);
+}
+
+Eigen::Vector3d friction_impulse(const Body& i, const Body& j, const Eigen::Vector3d& n, const Surface& surface) {
+  return -right::friction_impulse(i, j, n, surface);
+}
+
+Velocities impact(const Body& i, const Body& j, const Eigen::Vector3d& n, const Surface& surface) {
+  return right::after(i, j, normal_impulse(i, j, n, surface.e) * n + friction_impulse(i, j, n, surface));
+}

@@ -1,0 +1,22 @@
+// Mistake: a small mass keeps the reduced mass from being 0/0.
+// graded: --variant 1 --student anna -> 15
+// graded: --variant 1 --student bob@school.edu -> 15
+// hint: no small number belongs
+
+#include "right.hpp"
+
+Eigen::Vector3d normal(double degrees) { return right::normal(degrees); }
+
+double normal_impulse(const Body& i, const Body& j, const Eigen::Vector3d& n, double e) {
+  const double u = (i.v - j.v).dot(n);
+  return u > 0.0 ? -(1.0 + e) * i.m * j.m / (i.m + j.m + 1e-12) * u : 0.0;
+}
+
+Eigen::Vector3d friction_impulse(const Body& i, const Body& j, const Eigen::Vector3d& n, const Surface& surface) {
+  const double J = normal_impulse(i, j, n, surface.e);
+  return right::friction(right::slip(i, j, n), right::reduced_mass(i, j), J, surface.mu_s, surface.mu_d);
+}
+
+Velocities impact(const Body& i, const Body& j, const Eigen::Vector3d& n, const Surface& surface) {
+  return right::after(i, j, normal_impulse(i, j, n, surface.e) * n + friction_impulse(i, j, n, surface));
+}

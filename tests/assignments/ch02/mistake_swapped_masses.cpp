@@ -1,0 +1,21 @@
+// Mistake: each impulse is divided by the other body's mass.
+// graded: --variant 1 --student anna -> 0
+// graded: --variant 1 --student bob@school.edu -> 0
+// hint: swapped indices: the change of v_i
+
+#include "right.hpp"
+
+Eigen::Vector3d normal(double degrees) { return right::normal(degrees); }
+
+double normal_impulse(const Body& i, const Body& j, const Eigen::Vector3d& n, double e) {
+  return right::normal_impulse(i, j, n, e);
+}
+
+Eigen::Vector3d friction_impulse(const Body& i, const Body& j, const Eigen::Vector3d& n, const Surface& surface) {
+  return right::friction_impulse(i, j, n, surface);
+}
+
+Velocities impact(const Body& i, const Body& j, const Eigen::Vector3d& n, const Surface& surface) {
+  const Eigen::Vector3d impulse = normal_impulse(i, j, n, surface.e) * n + friction_impulse(i, j, n, surface);
+  return {.i = i.v + impulse / j.m, .j = j.v - impulse / i.m};
+}

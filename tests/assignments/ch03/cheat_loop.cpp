@@ -1,0 +1,17 @@
+// Accident: a loop without end.
+// graded: --variant 1 --student anna -> 0
+// graded: --variant 2 --student anna -> 0
+// hint: took too long
+// hint: a loop does not end
+
+#include "step_control.hpp"
+
+double step_factor(const Sweeps&, int) {
+  for (volatile double x = 1.0; x > 0.0;) x = x + 1.0;
+  return 0.0;
+}
+
+Decision next_step(double, const std::vector<Sweeps>&, const Settings&) {
+  for (volatile double x = 1.0; x > 0.0;) x = x + 1.0;
+  return {};
+}

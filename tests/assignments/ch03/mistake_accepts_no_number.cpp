@@ -1,0 +1,17 @@
+// Mistake: a step is refused only if a change is larger than TOL, which NaN never is.
+// graded: --variant 1 --student anna -> 15
+// graded: --variant 1 --student bob@school.edu -> 15
+// graded: --variant 2 --student anna -> 15
+// graded: --variant 2 --student bob@school.edu -> 15
+// hint: NaN fails every comparison
+
+#include "right.hpp"
+
+double step_factor(const Sweeps& sweeps, int K_d) { return right::step_factor(sweeps, K_d); }
+
+Decision next_step(double dt, const std::vector<Sweeps>& fields, const Settings& settings) {
+  const bool refused =
+      std::any_of(fields.begin(), fields.end(), [](const Sweeps& field) { return field.w_K > field.TOL; });
+  const double phi = right::smallest(fields, settings, step_factor);
+  return {.accepted = !refused, .next = std::min(settings.limit, right::bounded(phi, !refused, settings) * dt)};
+}

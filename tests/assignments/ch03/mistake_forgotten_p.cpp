@@ -1,0 +1,18 @@
+// Mistake: the exponent p of the step is forgotten.
+// graded: --variant 1 --student anna -> 0
+// graded: --variant 1 --student bob@school.edu -> 0
+// graded: --variant 2 --student anna -> 0
+// graded: --variant 2 --student bob@school.edu -> 0
+// hint: p is forgotten
+
+#include "right.hpp"
+
+double step_factor(const Sweeps& sweeps, int K_d) {
+  Sweeps other = sweeps;
+  other.p = 1;
+  return right::step_factor(other, K_d);
+}
+
+Decision next_step(double dt, const std::vector<Sweeps>& fields, const Settings& settings) {
+  return right::next_step(dt, fields, settings, step_factor);
+}

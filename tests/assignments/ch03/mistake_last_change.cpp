@@ -1,0 +1,18 @@
+// Mistake: TOL is compared with the last change, not with the first.
+// graded: --variant 1 --student anna -> 0
+// graded: --variant 1 --student bob@school.edu -> 0
+// graded: --variant 2 --student anna -> 0
+// graded: --variant 2 --student bob@school.edu -> 0
+// hint: TOL is compared with w_0
+
+#include "right.hpp"
+
+double step_factor(const Sweeps& sweeps, int K_d) {
+  if (sweeps.w_K == 0.0 || sweeps.K == 0) return std::numeric_limits<double>::infinity();
+  const double wanted = std::pow(sweeps.TOL / sweeps.w_K, 1.0 / (sweeps.p * K_d));
+  return wanted / std::pow(sweeps.w_K / sweeps.w_0, 1.0 / (sweeps.p * sweeps.K));
+}
+
+Decision next_step(double dt, const std::vector<Sweeps>& fields, const Settings& settings) {
+  return right::next_step(dt, fields, settings, step_factor);
+}

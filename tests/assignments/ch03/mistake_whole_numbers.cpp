@@ -1,0 +1,18 @@
+// Mistake: the exponents are quotients of whole numbers, which are 0.
+// graded: --variant 1 --student anna -> 0
+// graded: --variant 1 --student bob@school.edu -> 0
+// graded: --variant 2 --student anna -> 0
+// graded: --variant 2 --student bob@school.edu -> 0
+// hint: 1/(p K) of whole numbers is 0
+
+#include "right.hpp"
+
+double step_factor(const Sweeps& sweeps, int K_d) {
+  if (sweeps.w_K == 0.0 || sweeps.K == 0) return std::numeric_limits<double>::infinity();
+  const int wanted = 1 / (sweeps.p * K_d), seen = 1 / (sweeps.p * sweeps.K);
+  return std::pow(sweeps.TOL / sweeps.w_0, wanted) / std::pow(sweeps.w_K / sweeps.w_0, seen);
+}
+
+Decision next_step(double dt, const std::vector<Sweeps>& fields, const Settings& settings) {
+  return right::next_step(dt, fields, settings, step_factor);
+}
