@@ -622,7 +622,7 @@ One row compares one number. The *expected* value comes from outside the code it
 The *tolerance* stands in the case with the reason for its size; a NaN, a missing result or an exception fails. *Extreme*
 cases say beforehand whether they must be solved or refused, and the other outcome is a failure.
 The pages show a quick run: it drops no claim, but shortens sizes, repeats and sweeps. The full run is
-`./verification/run.sh`.
+`./verification/run.sh`. Whether all of this would notice a mistake has been tried with planted ones: @ref teeth.
 
 )";
 
@@ -638,6 +638,7 @@ void write_pages(const fs::path& out, const fs::path& figures, const std::vector
     table.bad.push_back(counts.failures + counts.extreme_failures > 0);
     pages += fmt::format("- @subpage {}\n", chapter.page());
   }
+  pages += "- @subpage teeth\n";
   report::write_whole(out / "verification_guide.md", std::string(how_to_read) + block(html(table)) + pages);
 }
 

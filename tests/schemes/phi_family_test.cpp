@@ -200,6 +200,25 @@ BOOST_AUTO_TEST_CASE(comes_to_the_same_step_by_anderson_and_where_picard_diverge
   BOOST_TEST(beyond.v[0] == (beyond.r[0] - 1.0) / 0.5, tolerance(1e-12));
 }
 
+BOOST_AUTO_TEST_CASE(brings_nothing_of_one_step_into_the_next) {
+  const Spring spring{4.0};
+  PhiFamily<Anderson> used;
+  Motion to;
+  used.predict(spring, at(-3.0, 7.0), 0.25, to);
+  for (int k = 0; k < 2; ++k) used.sweep(spring, at(-3.0, 7.0), 0.25, to);
+  PhiFamily<Anderson> fresh;
+  Motion again;
+  used.predict(spring, at(1.0, 2.0), 0.5, to);
+  fresh.predict(spring, at(1.0, 2.0), 0.5, again);
+  for (int k = 0; k < 2; ++k) {
+    const Iteration one = used.sweep(spring, at(1.0, 2.0), 0.5, to);
+    const Iteration other = fresh.sweep(spring, at(1.0, 2.0), 0.5, again);
+    BOOST_TEST(to.r[0] == again.r[0]);
+    BOOST_TEST(one.w_K == other.w_K);
+    BOOST_TEST(one.rate == other.rate);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(asks_once_a_sweep_and_for_the_start_unless_phi_is_one) {
   for (const double phi : {1.0, 0.5}) {
     const Spring spring;

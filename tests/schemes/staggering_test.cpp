@@ -122,6 +122,21 @@ BOOST_AUTO_TEST_CASE(is_cured_of_divergence_by_relaxation) {
   BOOST_TEST(close(state.y, coupled_step(driven.a, 2.0), {.relative = 1e-12}));
 }
 
+BOOST_AUTO_TEST_CASE(brings_nothing_of_one_step_into_the_next) {
+  Staggered used(fields(), Seen::newest, Aitken{}), fresh(fields(), Seen::newest, Aitken{});
+  const Values elsewhere{0.0, Eigen::Vector2d(-7.0, 3.0)};
+  Values to, again;
+  used.predict(pair, elsewhere, 0.25, to);
+  for (int k = 0; k < 2; ++k) used.sweep(pair, elsewhere, 0.25, to);
+  used.predict(pair, start, 0.5, to);
+  fresh.predict(pair, start, 0.5, again);
+  for (int k = 0; k < 3; ++k) {
+    used.sweep(pair, start, 0.5, to);
+    fresh.sweep(pair, start, 0.5, again);
+    BOOST_TEST(close(to.y, again.y, {}));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(says_that_a_field_has_no_value) {
   const FirstOrderPair growing{.a = (Eigen::Matrix2d() << 0.0, 1.0, 1.0, -2.0).finished()};
   Staggered scheme(fields());

@@ -201,4 +201,31 @@ const Case resting{
       }
     }};
 
+// Before the first impact: 9.81 m/s^2 for 0.2 s are 1.962 m/s and 0.1962 m.
+const Case falling{
+    {.name = "falling_ball",
+     .claim = "a ball has the potential energy m g z, and gains as it falls what it loses of that",
+     .equation = "D 1.13",
+     .reference = Reference::closed_form},
+    [](Rows& rows) {
+      BouncingScene scene = bouncing_scene({height}, lossy.e);
+      schemes::Motion state = scenes::start(scene);
+      const double V = scene.potential_energy(state);
+      rows.compare(
+          "potential energy of 2 kg at 0.45 m [J]",
+          {.expected = 8.829, .computed = V, .tolerance = relative(8e-16), .because = "two products, and a sum"});
+      const schemes::Outcome out = run(scene, state, 0.2, 1e-3, schemes::Unobserved{});
+      if (out.status != schemes::Status::reached) throw std::runtime_error(out.reason);
+      rows.compare("potential energy lost in 0.2 s [J]",
+                   {.expected = 3.849444,
+                    .computed = V - scene.potential_energy(state),
+                    .tolerance = relative(1e-13),
+                    .because = "exact for constant forces but for the rounding of 200 steps"});
+      rows.compare("kinetic energy gained in 0.2 s [J]",
+                   {.expected = 3.849444,
+                    .computed = 0.5 * 2.0 * state.v[2] * state.v[2],
+                    .tolerance = relative(1e-13),
+                    .because = "exact for constant forces but for the rounding of 200 steps"});
+    }};
+
 }  // namespace

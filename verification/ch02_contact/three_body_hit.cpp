@@ -87,6 +87,28 @@ void symmetric_hit(Rows& rows) {
                  .because = "7/4 where the two touch: summed impulses create energy"});
 }
 
+// A sphere of mass m slides with w between two of mass M that close on it from both sides. The friction of either would
+// take all slip against that one, and both together would turn the slip round. The energy is least, and the friction
+// scaled back to it, where all three share the momentum m w.
+void squeezed(Rows& rows) {
+  constexpr double w = 0.3, m = 1.0, M = 5.0;
+  kinematics::Particles all{.position = kinematics::Vectors::Zero(3, 3),
+                            .velocity = kinematics::Vectors::Zero(3, 3),
+                            .mass = Eigen::Vector3d{m, M, M},
+                            .radius = Eigen::VectorXd::Constant(3, 0.5)};
+  all.position.col(0) << 0.0, 1.0, -1.0;
+  all.velocity.col(0) << 0.0, -1.0, 1.0;
+  all.velocity(0, 1) = w;
+  const Jumped after = jump_of(contact_scene(all, rough(0.5, {.mu_s = 0.4, .mu_d = 0.3})), 1e-3);
+  for (const Eigen::Index i : {0, 1, 2}) {
+    rows.compare(fmt::format("speed across of body {} when two squeeze a sliding one, m w/(m + 2 M) [m/s]", i),
+                 {.expected = m * w / (m + 2.0 * M),
+                  .computed = after.v(i, 1),
+                  .tolerance = absolute(2e-16),
+                  .because = "some roundings of impulses up to 0.25 and of speeds up to 0.3"});
+  }
+}
+
 struct Clusters {
   double gain = -1.0, summed_gain = -1.0;  // largest (T' - T)/T
   double momentum = 0.0, approach = 0.0, renumbered = 0.0;
@@ -141,6 +163,7 @@ const Case three_body_hit{
      .reference = Reference::closed_form},
     [](Rows& rows) {
       symmetric_hit(rows);
+      squeezed(rows);
       Encounters drawn({}, rows.case_seed());
       rows.at_most("symmetric hit renumbered, sequential [m/s]",
                    {.limit = 4e-15,

@@ -12,6 +12,7 @@
 #include <particulate/schemes/phi_family.hpp>
 
 #include "linear_problems.hpp"
+#include "sweeping.hpp"
 
 namespace {
 
@@ -58,6 +59,32 @@ Answer solve(double TOL, double limit) {
   answer.error = errors.position;
   answer.worst_w = control.worst;
   return answer;
+}
+
+// How far particles moved from one state to another, each by itself, then summed.
+double moved(const Motion& from, const Motion& to) {
+  double sum = 0.0;
+  for (Eigen::Index i = 0; i < from.r.size() / 3; ++i) {
+    sum += (rows_of(to.r).row(i) - rows_of(from.r).row(i)).norm();
+  }
+  return sum;
+}
+
+// What is compared with TOL: particles that move unequally far tell a sum from a largest and from one norm over all.
+void compare_measure(Rows& rows) {
+  const NearFieldScene scene(random_cloud({.N = 5}, smooth), {},
+                             {.alpha1 = 1.0, .alpha2 = 0.5, .beta1 = 2.0, .beta2 = 3.0});
+  const Motion from = scenes::start(scene);
+  const auto swept = sweep(BackwardEuler{}, scene, from, 1e-2, 3);
+  const std::vector<Motion>& at = swept.iterates;
+  const double displacement = moved(from, at[1]);
+  for (std::size_t k = 0; k < 3; ++k) {
+    rows.compare(fmt::format("w_{} of five particles", k),
+                 {.expected = moved(at[k], at[k + 1]) / displacement,
+                  .computed = swept.iterations[k].w_K,
+                  .tolerance = absolute(64.0 * eps / displacement),
+                  .because = "differences of positions of a few m, five of them, over the displacement"});
+  }
 }
 
 void compare_wrong(Rows& rows) {
@@ -128,6 +155,7 @@ const Case iteration_error_only{
      .equation = "R 3.4",
      .reference = Reference::closed_form},
     [](Rows& rows) {
+      compare_measure(rows);
       compare_wrong(rows);
       compare_limits(rows);
       compare_tolerances(rows);

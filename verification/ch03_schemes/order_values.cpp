@@ -1,4 +1,4 @@
-// Orders on problems of first order, where time enters the right-hand side, and of staggered fields.
+// Orders where time enters the right-hand side, and of staggered fields.
 
 #include <cmath>
 #include <optional>
@@ -12,6 +12,9 @@
 #include <particulate/schemes/phi_family.hpp>
 #include <particulate/schemes/runge_kutta.hpp>
 #include <particulate/schemes/staggering.hpp>
+#include <particulate/schemes/verlet.hpp>
+
+#include "linear_problems.hpp"
 
 namespace {
 
@@ -26,32 +29,43 @@ struct Bell {
   }
 };
 
+// The same curve as a motion: r'' = (6 t^2 - 2) r^3 with r(0) = 1 and v(0) = 0.
+struct ForcedBell {
+  bool acceleration(double t, In r, Out a) const {
+    a = (6.0 * t * t - 2.0) * r.array().cube();
+    return true;
+  }
+};
+
+const Eigen::VectorXd& unknowns(const Values& state) { return state.y; }
+const Eigen::VectorXd& unknowns(const Motion& state) { return state.r; }
+
 // Errors at the end of five refinements by 3/2.
 struct Errors {
   std::vector<double> steps, errors;
 };
 
-template <class S, class P>
-Errors refine(P problem, const Values& start, const Eigen::VectorXd& exact, double t_end, long coarsest,
+template <class S, class P, class State>
+Errors refine(P problem, const State& start, const Eigen::VectorXd& exact, double t_end, long coarsest,
               const S& scheme) {
   Errors found;
   for (long n = coarsest; found.steps.size() < 5; n = n * 3 / 2) {
-    Values state = start;
+    State state = start;
     S fresh = scheme;
     FixedStep control{.step = t_end / static_cast<double>(n)};
     require_reached(integrate(problem, state, t_end, fresh, control));
     found.steps.push_back(t_end / static_cast<double>(n));
-    found.errors.push_back((state.y - exact).norm() / exact.norm());
+    found.errors.push_back((unknowns(state) - exact).norm() / exact.norm());
   }
   return found;
 }
 
-template <class S>
-void compare_bell(Rows& rows, const std::string& method, double order, long coarsest, const S& scheme) {
+template <class P, class State, class S>
+void compare_bell(Rows& rows, const std::string& method, P problem, const State& start, double order, long coarsest,
+                  const S& scheme) {
   constexpr double t_end = 1.7;
-  const Values start{.t = 0.0, .y = Eigen::VectorXd::Ones(1)};
   const Eigen::VectorXd exact = Eigen::VectorXd::Constant(1, 1.0 / (1.0 + t_end * t_end));
-  const Errors found = refine(Bell{}, start, exact, t_end, coarsest, scheme);
+  const Errors found = refine(problem, start, exact, t_end, coarsest, scheme);
   rows.order(method, {.nominal = order,
                       .steps = found.steps,
                       .errors = found.errors,
@@ -64,14 +78,36 @@ const Case order_values{{.name = "order_values",
                          .equation = "M 3.3",
                          .reference = Reference::convergence},
                         [](Rows& rows) {
-                          compare_bell(rows, "forward Euler", 1.0, 200, ForwardEuler{});
-                          compare_bell(rows, "backward Euler", 1.0, 200, BackwardEuler{});
-                          compare_bell(rows, "backward Euler, Anderson", 1.0, 200, PhiFamily<Anderson>{});
-                          compare_bell(rows, "phi = 0.7", 1.0, 200, BackwardEuler(0.7));
-                          compare_bell(rows, "phi = 1/2", 2.0, 100, BackwardEuler(0.5));
-                          compare_bell(rows, "phi = 1/2, Anderson", 2.0, 100, PhiFamily<Anderson>(0.5));
-                          compare_bell(rows, "RK4", 4.0, 20, RungeKutta4{});
+                          const auto compare = [&](const char* method, double order, long coarsest,
+                                                   const auto& scheme) {
+                            const Values start{.t = 0.0, .y = Eigen::VectorXd::Ones(1)};
+                            compare_bell(rows, method, Bell{}, start, order, coarsest, scheme);
+                          };
+                          compare("forward Euler", 1.0, 200, ForwardEuler{});
+                          compare("backward Euler", 1.0, 200, BackwardEuler{});
+                          compare("backward Euler, Anderson", 1.0, 200, PhiFamily<Anderson>{});
+                          compare("phi = 0.7", 1.0, 200, BackwardEuler(0.7));
+                          compare("phi = 1/2", 2.0, 100, BackwardEuler(0.5));
+                          compare("phi = 1/2, Anderson", 2.0, 100, PhiFamily<Anderson>(0.5));
+                          compare("RK4", 4.0, 20, RungeKutta4{});
                         }};
+
+const Case order_forced{
+    {.name = "order_forced",
+     .claim = "under a force that depends on time every scheme has its order, neither less nor more",
+     .equation = "M 3.1",
+     .reference = Reference::convergence},
+    [](Rows& rows) {
+      const auto compare = [&](const char* method, double order, long coarsest, const auto& scheme) {
+        compare_bell(rows, method, ForcedBell{}, motion(1.0, 0.0), order, coarsest, scheme);
+      };
+      compare("forward Euler", 1.0, 4000, ForwardEuler{});
+      compare("backward Euler", 1.0, 4000, BackwardEuler{});
+      compare("phi = 0.7", 1.0, 4000, BackwardEuler(0.7));
+      compare("phi = 1/2", 2.0, 100, BackwardEuler(0.5));
+      compare("velocity Verlet", 2.0, 100, VelocityVerlet{});
+      compare("RK4", 4.0, 40, RungeKutta4{});
+    }};
 
 // exp(-A t) y for a matrix whose eigenvalues are mean -+ i spin.
 Eigen::Vector2d decayed(const Eigen::Matrix2d& A, double t, const Eigen::Vector2d& y) {

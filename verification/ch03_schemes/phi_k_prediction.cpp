@@ -271,6 +271,13 @@ void compare_landing(Rows& rows) {
                                                             .because = "a short step says nothing against a long one"});
   rows.compare("time reached [s]",
                {.expected = 0.3, .computed = state.t, .tolerance = absolute(0.0), .because = "it is set, not summed"});
+  state.t = 0.3;
+  FixedStep single{.step = 1.0};
+  require_reached(integrate(drag, state, 0.9, scheme, single));
+  rows.compare("time reached from 0.3 s in one step [s]", {.expected = 0.9,
+                                                           .computed = state.t,
+                                                           .tolerance = absolute(0.0),
+                                                           .because = "0.3 + (0.9 - 0.3) is beyond it by a rounding"});
 }
 
 const Case phi_k_bounds{
