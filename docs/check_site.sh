@@ -143,7 +143,7 @@ check_pages() {
 default_pages() {
   cd "$site"
   printf '%s\n' index.html chapters.html verification_guide.html equation_index.html map.html notation.html \
-    provenance.html errata.html adding.html citelist.html
+    provenance.html errata.html adding.html trust.html feature_matrix.html teeth.html assignments.html citelist.html
   ls | grep -E '^(verify_)?(ch[0-9]{2}|app[A-Z])(_[a-z0-9_]+)?\.html$' | grep -v '_source' || true
 }
 

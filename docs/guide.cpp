@@ -159,7 +159,14 @@ void write_tables(const fs::path& data, const std::string& prefix, const fs::pat
       for (const std::string& field : csv.row(i)) cells.push_back(rounded(field, 6));
       table.rows.push_back(cells);
     }
-    report::write_whole(out / fmt::format("{}_{}.html", prefix, entry.path().stem().string()), html(table));
+    const fs::path shown = out / fmt::format("{}_{}.html", prefix, entry.path().stem().string());
+    if (fs::exists(shown)) {
+      throw std::runtime_error(
+          fmt::format("{}: a chapter's program and its verification must name their tables differently; rename the "
+                      "program's, the other is {}",
+                      entry.path().string(), shown.string()));
+    }
+    report::write_whole(shown, html(table));
   }
   const fs::path parameters = data / "parameters.toml";
   if (fs::exists(parameters)) {

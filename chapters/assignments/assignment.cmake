@@ -10,7 +10,7 @@ set(assignment_sources_ch01 kinematics/central_force)
 set(assignment_topics_ch02 kinematics contact)
 set(assignment_sources_ch02 contact/friction contact/impact)
 set(assignment_topics_ch03 schemes)
-set(assignment_sources_ch03 schemes/fixed_step schemes/integrate schemes/iteration schemes/mixing schemes/phi_control)
+set(assignment_sources_ch03 schemes/iteration schemes/phi_control)
 
 # assignment_library(<chNN> <variable>): the targets that hold what the check compares with. In the project's own build
 # they are the topics; alone, a library of the few sources that are needed, which compiles in seconds.

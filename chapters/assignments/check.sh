@@ -11,7 +11,8 @@ usage: chapters/assignments/check.sh chNN [FILE] [options]
 Grades FILE, or without it the source with holes in chapters/chNN_*/assignment. Needs cmake, a C++20 compiler, Eigen and
 fmt. Ends with status 0 for full marks, 1 for less, 2 if nothing could be graded.
 
-  --student ID     whose numbers to draw; the ID also chooses the variant
+  --student ID     whose numbers to draw, required; the ID also chooses the variant. Capital letters of ASCII and blanks
+                   at the ends do not matter
   --variant N      the problem's variant, whatever the ID says
   --json FILE      also write the scores as Gradescope reads them
   --seconds N      processor time of a line of the table (default 2)
@@ -25,16 +26,26 @@ refuse() {
   exit 2
 }
 
-chapter='' file='' build='' options=()
+chapter='' file='' build='' student='' json='' options=()
 while (($# > 0)); do
   case $1 in
+    --*=*)
+      set -- "${1%%=*}" "${1#*=}" "${@:2}"
+      continue
+      ;;
     --help)
       usage
       exit
       ;;
     --student | --variant | --json | --seconds | --build)
       (($# > 1)) || refuse "a value must follow $1"
-      if [[ $1 == --build ]]; then build=$2; else options+=("$1" "$2"); fi
+      [[ -n $2 && $2 != -* ]] || refuse "a value must follow $1, not empty and not beginning with '-', got '$2'"
+      case $1 in
+        --build) build=$2 ;;
+        --student) student=$2 ;;
+        --json) json=$2 ;;
+        *) options+=("$1" "$2") ;;
+      esac
       shift
       ;;
     -*) refuse "there is no option '$1'; --help lists them" ;;
@@ -50,12 +61,29 @@ while (($# > 0)); do
   esac
   shift
 done
-[[ -n $chapter ]] || refuse "name the assignment by its chapter, such as ch01; --help says more"
+chapters=()
+for folder in "$root"/chapters/ch*_*/assignment; do
+  name=$(basename "$(dirname "$folder")")
+  chapters+=("${name%%_*}")
+done
+[[ -n $chapter && " ${chapters[*]} " == *" $chapter "* ]] ||
+  refuse "name the assignment by its chapter, one of: ${chapters[*]}; got '$chapter'. --help says more"
+[[ -n ${student//[[:space:]]/} ]] ||
+  refuse "name the student, --student ID: the ID draws the numbers and chooses the variant"
+options+=(--student "$student")
+if [[ -n $json ]]; then
+  [[ -d $(dirname "$json") && -w $(dirname "$json") && ! -d $json ]] ||
+    refuse "$json cannot be written: name a file in a folder that exists and can be written to"
+  options+=(--json "$json")
+fi
 if [[ -n $file ]]; then
   [[ -f $file ]] || refuse "the submission must be a file, got '$file'"
   file=$(cd "$(dirname "$file")" && pwd)/$(basename "$file")
 fi
 build=${build:-$root/build/assignments/$chapter}
+headers=("$root/chapters/${chapter}"_*/assignment/*.hpp)
+source=$(basename "${headers[0]}" .hpp).cpp
+shown=${file:-${headers[0]%.hpp}.cpp}
 
 # Programs are run by the user nobody where root grades; compilers speak plain ASCII.
 umask 022
@@ -68,8 +96,19 @@ quietly() {
   cat "$build/log" >&2
   refuse "the check itself could not be made (see above)"
 }
+[[ -x $build/check_$chapter ]] || echo "Building the check, which is done once: about half a minute" >&2
 quietly cmake -S "$root/chapters/assignments" -B "$build" -DASSIGNMENT="$chapter" -DSUBMISSION="$file"
 quietly cmake --build "$build" --target check --parallel "$(getconf _NPROCESSORS_ONLN)"
+
+# A copy is compiled: what the compiler says of it is said of the file that was given.
+name_the_file() {
+  local log
+  log=$(<"$build/submission.log")
+  log=${log//"$build/submission/$source"/"$shown"}
+  log=${log//" submission/$source"/" $shown"}
+  log=${log//$'\n'"submission/$source"/$'\n'"$shown"}
+  printf '%s\n' "$log" >"$build/submission.log"
+}
 
 # What is handed in may also hang the compiler, or eat memory there.
 submission=$build/bin/submission
@@ -81,6 +120,7 @@ compile() (
 )
 status=0
 compile >"$build/submission.log" 2>&1 </dev/null || status=$?
+name_the_file
 if ((status == 0)); then
   options+=(--program "$submission")
   grep -A 3 'warning:' "$build/submission.log" || true

@@ -209,17 +209,20 @@ std::string hint_for(const Question& question, const std::vector<double>& answer
   return "the answer is not a finite number: look for 0/0, overflow, a root or a logarithm of a negative number";
 }
 
+std::string call(const Question& question) { return fmt::format("{}({})", question.function, shown(question.inputs)); }
+
 std::optional<Finding> first_wrong(const Line& line, const Answers& answers) {
   for (std::size_t k = 0; k < line.questions.size(); ++k) {
     const Question& question = line.questions[k];
     const bool is_judged_later = question.expected.empty() && answers[k].size() == question.count;
     if (is_judged_later || is_close(answers[k], question.expected, line)) continue;
-    return Finding{
-        .expected = fmt::format("{}({}) = {}", question.function, shown(question.inputs), shown(question.expected)),
-        .obtained = shown(answers[k]),
-        .hint = hint_for(question, answers[k], line)};
+    return Finding{.expected = fmt::format("{} = {}", call(question), shown(question.expected)),
+                   .obtained = shown(answers[k]),
+                   .hint = hint_for(question, answers[k], line)};
   }
-  return line.holds ? line.holds(answers) : std::nullopt;
+  std::optional<Finding> wrong = line.holds ? line.holds(answers) : std::nullopt;
+  if (wrong) wrong->expected = fmt::format("{}: {}", call(line.questions.at(wrong->question)), wrong->expected);
+  return wrong;
 }
 
 // For JSON. What is not ASCII may come from a compiler, cut off in the middle of a letter.
@@ -240,6 +243,7 @@ std::string escaped(const std::string& text) {
 
 std::string story(const Score& score) {
   if (score.hint.empty()) return "right";
+  if (score.expected.empty()) return score.hint;
   return fmt::format("expected: {}\nobtained: {}\ntolerance: {}\nhint: {}", score.expected, score.obtained,
                      score.tolerance, score.hint);
 }
@@ -323,12 +327,24 @@ namespace {
 
 // The command line, option by option.
 struct Options {
-  std::string program, log, student = "nobody", json, variant, seconds;
+  std::string program, log, student, json, variant, seconds;
 };
 
 [[nodiscard]] bool refuse(const std::string& why) {
   fmt::print(stderr, "{}\n", why);
   return false;
+}
+
+// An ID however it was typed: small letters, no blanks at its ends. Letters beyond ASCII stay as they are.
+std::string normalized(const std::string& id) {
+  constexpr const char* blanks = " \t\r\n";
+  const std::size_t first = id.find_first_not_of(blanks);
+  if (first == std::string::npos) return "";
+  std::string out = id.substr(first, id.find_last_not_of(blanks) - first + 1);
+  for (char& c : out) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return out;
 }
 
 bool parse(int argc, char** argv, Options& options) {
@@ -337,12 +353,22 @@ bool parse(int argc, char** argv, Options& options) {
                                                   {"--variant", &options.variant}, {"--seconds", &options.seconds}};
   for (int k = 1; k < argc; k += 2) {
     const auto option = known.find(argv[k]);
-    if (option == known.end()) return refuse(fmt::format("there is no option '{}'", argv[k]));
+    if (option == known.end()) {
+      return refuse(fmt::format("there is no option '{}'; an option and its value are two words", argv[k]));
+    }
     if (k + 1 == argc) return refuse(fmt::format("a value must follow {}", argv[k]));
+    if (argv[k + 1][0] == '-') {
+      return refuse(
+          fmt::format("a value must follow {}, one that does not begin with '-', got '{}'", argv[k], argv[k + 1]));
+    }
     *option->second = argv[k + 1];
   }
   if (options.program.empty() == options.log.empty()) {
     return refuse("give either --program FILE or, if it did not compile, --log FILE");
+  }
+  options.student = normalized(options.student);
+  if (options.student.empty()) {
+    return refuse("name the student, --student ID: the ID draws the numbers and chooses the variant");
   }
   return true;
 }
@@ -381,14 +407,35 @@ void print(const std::vector<Score>& scores) {
   for (const Score& score : scores) {
     reached += score.points;
     possible += score.possible;
-    fmt::print("{:5g} of {:<5g}{}\n", score.points, score.possible, score.name);
-    if (score.hint.empty()) continue;
+    if (score.possible > 0.0) {
+      fmt::print("{:5g} of {:<5g}{}", score.points, score.possible, score.name);
+    } else {
+      fmt::print("{:>5}         {}", score.hint.empty() ? "yes" : "no", score.name);
+    }
+    const bool is_asked = !score.expected.empty();
+    fmt::print("{}\n", is_asked || score.hint.empty() ? "" : " (" + score.hint + ")");
+    if (!is_asked) continue;
     fmt::print(
         "              expected   {}\n              obtained   {}\n              tolerance  {}\n"
         "              hint       {}\n",
         score.expected, score.obtained, score.tolerance, score.hint);
   }
   fmt::print("{:5g} of {:<5g}in all\n", reached, possible);
+}
+
+// Results are written beside their file, which then takes its place: there are never half of them.
+std::string part(const std::string& file) { return file + ".part"; }
+
+[[nodiscard]] bool refuse_file(const std::string& file) {
+  return refuse(fmt::format("{} cannot be written: name a file in a folder that exists and can be written to", file));
+}
+
+// Asked before anything is graded.
+bool can_write(const std::string& file) {
+  std::error_code failed;
+  if (std::filesystem::is_directory(file, failed) || !std::ofstream(part(file))) return refuse_file(file);
+  std::filesystem::remove(part(file), failed);
+  return true;
 }
 
 bool write_json(const std::string& file, const std::vector<Score>& scores) {
@@ -401,7 +448,7 @@ bool write_json(const std::string& file, const std::vector<Score>& scores) {
         tests.empty() ? "" : ",", escaped(score.name), score.points, score.possible,
         score.hint.empty() ? "passed" : "failed", escaped(story(score)));
   }
-  const std::string whole = file + ".part";
+  const std::string whole = part(file);
   {
     std::ofstream out(whole);
     out << fmt::format("{{\n  \"score\": {},\n  \"visibility\": \"visible\",\n  \"tests\": [{}\n  ]\n}}\n", reached,
@@ -424,28 +471,22 @@ int run(int argc, char** argv, const Assignment& assignment) {
   const std::optional<int> variant = options.variant.empty() ? by_id : counted(options.variant, variants);
   constexpr int most_seconds = 600;
   const std::optional<int> seconds = options.seconds.empty() ? 2 : counted(options.seconds, most_seconds);
-  if (!variant || !seconds) {
-    fmt::print(stderr, "--variant must be 1 to {} and --seconds 1 to {}, got '{}' and '{}'\n", variants, most_seconds,
-               options.variant, options.seconds);
-    return 2;
-  }
+  if (!variant) std::ignore = refuse(fmt::format("--variant must be 1 to {}, got '{}'", variants, options.variant));
+  if (!seconds) std::ignore = refuse(fmt::format("--seconds must be 1 to {}, got '{}'", most_seconds, options.seconds));
+  if (!variant || !seconds) return 2;
+  if (!options.json.empty() && !can_write(options.json)) return 2;
   const Limits limits{.cpu_seconds = static_cast<unsigned>(*seconds), .wall = std::chrono::seconds(10 * *seconds)};
   fmt::print("{}\nstudent {}, variant {}: {}\n\n", assignment.title, options.student, *variant,
              assignment.variants[static_cast<std::size_t>(*variant - 1)]);
   std::vector<Score> scores{compiles(options.log)};
   for (const Line& line : assignment.lines(*variant, numbers)) {
-    scores.push_back(options.log.empty() ? grade(options.program, line, limits)
-                                         : Score{.name = line.name,
-                                                 .possible = line.points,
-                                                 .expected = "a program",
-                                                 .obtained = "none",
-                                                 .tolerance = "none",
-                                                 .hint = "it must compile first"});
+    scores.push_back(options.log.empty()
+                         ? grade(options.program, line, limits)
+                         : Score{.name = line.name, .possible = line.points, .hint = "not asked: it does not compile"});
   }
   print(scores);
   if (!options.json.empty() && !write_json(options.json, scores)) {
-    fmt::print(stderr, "{} cannot be written: name a file in a folder that exists and can be written to\n",
-               options.json);
+    std::ignore = refuse_file(options.json);
     return 2;
   }
   const bool full = std::all_of(scores.begin(), scores.end(), [](const Score& s) { return s.hint.empty(); });

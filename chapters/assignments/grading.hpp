@@ -38,9 +38,10 @@ using Answers = std::vector<std::vector<double>>;
 
 /// What is wrong with an answer, as the table shows it.
 struct Finding {
-  std::string expected;  ///< what must hold
-  std::string obtained;  ///< what was given
-  std::string hint;      ///< what to look for
+  std::string expected;      ///< what must hold
+  std::string obtained;      ///< what was given
+  std::string hint;          ///< what to look for
+  std::size_t question = 0;  ///< of the line, from 0: the call that the table shows
 };
 
 /// One line of the score table. All its questions are put to one run of the program; each must be answered rightly.
@@ -104,7 +105,7 @@ Score grade(const std::filesystem::path& program, const Line& line, const Limits
 /// Numbers that belong to a student: equal for equal IDs, on every machine.
 class Draw {
  public:
-  /// @param student  any text
+  /// @param student  any text; every byte of it counts
   explicit Draw(const std::string& student);
   /// @param low   lower bound
   /// @param high  upper bound
@@ -128,8 +129,9 @@ struct Assignment {
 /// The main program of a check: reads the command line, grades, prints the table, writes the results for Gradescope.
 ///
 /// Options: `--program FILE` the driver with the submission; `--log FILE` instead, if that did not compile: what the
-/// compiler said; `--student ID`; `--variant N`, from 1, without it chosen by the ID; `--json FILE`; `--seconds N`,
-/// processor time of a line.
+/// compiler said; `--student ID`, required, taken in small letters (of ASCII) and without blanks at its ends;
+/// `--variant N`, from 1, without it chosen by the ID; `--json FILE`, which must be writable before anything is graded;
+/// `--seconds N`, processor time of a line.
 /// @param argc        as main() gets it
 /// @param argv        as main() gets it
 /// @param assignment  what is asked

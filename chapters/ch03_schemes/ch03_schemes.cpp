@@ -183,8 +183,8 @@ int run(int argc, char** argv) {
   //! To move \f$ \dot y = f(t, y) \f$ over a step, the forward Euler scheme takes f at its start, the backward Euler
   //! scheme at its end,
   //!
-  //! \f{equation}{ y^{L+1} = y^L + \Delta t\,f(t^L, y^L), \qquad y^{L+1} = y^L + \Delta t\,f(t^{L+1}, y^{L+1}).
-  //!     \tag{about 3.3; 3.5} \label{eq:euler} \f}
+  //! \f[ y^{L+1} = y^L + \Delta t\,f(t^L, y^L), \tag{about 3.3} \f]
+  //! \f{equation}{ y^{L+1} = y^L + \Delta t\,f(t^{L+1}, y^{L+1}). \tag{3.5} \label{eq:euler} \f}
   //!
   //! A particle that is slowed down by \f$ m \dot v = -c v \f$ (section 3.2) shows the difference. Forward, each step
   //! multiplies v by \f$ 1 - c\,\Delta t/m \f$, which changes sign if the step is long, and grows beyond
@@ -214,29 +214,29 @@ int run(int argc, char** argv) {
   };
   const schemes::PhiFamily<schemes::Anderson> backward_mixed(1.0, schemes::Anderson(2));
 
-  report::Table stability({"c Dt/m [-]", "forward [-]", "backward [-]", "its sweeps", "contraction [-]", "outcome",
-                           "backward, Anderson [-]", "Anderson's sweeps"});
+  report::Table factors({"c Dt/m [-]", "forward [-]", "backward [-]", "its sweeps", "contraction [-]", "outcome",
+                         "backward, Anderson [-]", "Anderson's sweeps"});
   double off_factor = 0.0, off_range = 0.0;
   for (const double x : {0.1, 0.3, 0.5, 0.7, 0.9, 0.99, 1.01, 1.5, 1.9, 2.1, 2.5}) {
     const auto [forward, after_forward] = step_once(schemes::ForwardEuler{}, -x);
     const auto [backward, after_backward] = step_once(schemes::BackwardEuler{}, -x);
     const auto [mixed, after_mixed] = step_once(backward_mixed, -x);
     const bool solved = backward.status == schemes::Status::reached;
-    stability.add({x, after_forward[0], solved ? report::Cell(after_backward[0]) : report::Cell(),
-                   solved ? report::Cell(backward.sweeps) : report::Cell(), contraction_at(1.0, -x),
-                   solved ? "solved" : "refused", after_mixed[0], mixed.sweeps});
+    factors.add({x, after_forward[0], solved ? report::Cell(after_backward[0]) : report::Cell(),
+                 solved ? report::Cell(backward.sweeps) : report::Cell(), contraction_at(1.0, -x),
+                 solved ? "solved" : "refused", after_mixed[0], mixed.sweeps});
     off_factor = larger(off_factor, std::abs(after_forward[0] - (1.0 - x)));
     off_factor = larger(off_factor, std::abs(after_mixed[0] - 1.0 / (1.0 + x)));
     if (solved) off_factor = larger(off_factor, std::abs(after_backward[0] - 1.0 / (1.0 + x)));
     off_range += solved != (x < 1.0);
   }
-  output.write("stability", stability);
+  output.write("factors", factors);
   checks.add("factors of an Euler step on m v' = -c v", off_factor, 1e-14);
   checks.add("backward Euler is solved if c Dt/m < 1, refused otherwise: steps where not", off_range, 0.0);
 
   //! @figure{ch03_stability, Factor of one step on m v' = -c v. Backward Euler's curve ends for plain sweeps where they stop to contract; mixed sweeps go on.}
   //!
-  //! @table{ch03_stability}
+  //! @table{ch03_factors}
   //!
   //! This is the trade-off of the whole chapter. Unconditional stability belongs to the *equation* of an implicit step,
   //! not to the iteration that solves it, and near the limit the sweeps become many. The library never hands back an

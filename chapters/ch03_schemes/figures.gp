@@ -11,9 +11,9 @@ set samples 200
 set object 1 rectangle from 0, -1 to 2.5, 1 behind fc rgb '#808080' fs transparent solid 0.12 noborder
 set label 1 'no growth' at 2.45, 0.88 right
 set key bottom left
-plot file('stability') skip 1 using 1:2 with linespoints lt 2 title 'forward Euler', \
-     file('stability') skip 1 using 1:7 with linespoints lt 3 pt 8 ps 1.2 dt (6,4) title 'backward Euler, mixed sweeps', \
-     file('stability') skip 1 using 1:3 with linespoints lt 1 lw 3 title 'backward Euler, plain sweeps', \
+plot file('factors') skip 1 using 1:2 with linespoints lt 2 title 'forward Euler', \
+     file('factors') skip 1 using 1:7 with linespoints lt 3 pt 8 ps 1.2 dt (6,4) title 'backward Euler, mixed sweeps', \
+     file('factors') skip 1 using 1:3 with linespoints lt 1 lw 3 title 'backward Euler, plain sweeps', \
      exp(-x) with lines lt 7 title 'exact', \
      0 with lines lt 7 lw 0.6 dt 1 notitle
 unset object

@@ -1,5 +1,5 @@
-# cmake -DPOINTS=... -DHINTS=... -DRESULTS=... -P graded.cmake -- <check> <options>...
-# Fails unless the check gives these points in all and its table says all of HINTS (separated by |).
+# cmake -DPOINTS=... -DHINTS=... -DNEVER=... -DRESULTS=... -P graded.cmake -- <check> <options>...
+# Fails unless the check gives these points in all and its table says all of HINTS and none of NEVER (separated by |).
 math(EXPR last "${CMAKE_ARGC} - 1")
 set(command "")
 set(is_command FALSE)
@@ -41,5 +41,12 @@ foreach(hint IN LISTS hints)
   string(FIND "${table}" "${hint}" at)
   if(at EQUAL -1)
     message(SEND_ERROR "the table must say: ${hint}")
+  endif()
+endforeach()
+string(REPLACE "|" ";" nevers "${NEVER}")
+foreach(text IN LISTS nevers)
+  string(FIND "${table}" "${text}" at)
+  if(NOT at EQUAL -1)
+    message(SEND_ERROR "the table must not say: ${text}")
   endif()
 endforeach()

@@ -33,7 +33,7 @@ chapter=${chapter%%_*}
 
 # The source with holes is graded, which builds the check: fewer than full marks must come of it.
 status=0
-"$autograder/source/chapters/assignments/check.sh" "$chapter" || status=$?
+"$autograder/source/chapters/assignments/check.sh" "$chapter" --student setup || status=$?
 if ((status != 1)); then
   echo "setup.sh: grading the source with holes must end with status 1, got $status: see above for why" >&2
   exit 1

@@ -182,51 +182,88 @@ Question ask_potential_at_limit(const Pair& pair, double d, double d_ref) {
   return question;
 }
 
-Question ask_equilibrium(const Pair& pair) {
+std::vector<Mistake> mistakes_of_equilibrium(const Pair& pair) {
   const double d_e = equilibrium_distance(pair), ratio = pair.alpha2 / pair.alpha1;
   const Powers law = powers(pair);
+  return {{{1.0 / d_e}, "d_e is upside down: more repulsion (alpha2) or less attraction pushes further apart"},
+          {{ratio}, "C = 0 gives a power of d_e: take the root"},
+          {{std::pow(ratio, law.p - law.q)}, "the exponent of alpha2/alpha1 in d_e is upside down"},
+          {{equilibrium_distance(other(pair))}, other_variant}};
+}
+
+Question ask_equilibrium(const Pair& pair) {
   return {.function = "equilibrium_distance",
           .inputs = inputs(pair),
-          .expected = {d_e},
-          .mistakes = {{{1.0 / d_e}, "upside down: more repulsion (alpha2) or less attraction pushes further apart"},
-                       {{ratio}, "C = 0 gives a power of d_e: take the root"},
-                       {{std::pow(ratio, law.p - law.q)}, "the exponent of alpha2/alpha1 is upside down"},
-                       {{equilibrium_distance(other(pair))}, other_variant}}};
+          .expected = {equilibrium_distance(pair)},
+          .mistakes = mistakes_of_equilibrium(pair)};
+}
+
+// C'(d), its terms multiplied by numbers of their own.
+double slope(const Powers& law, double d, double of_attraction, double of_repulsion) {
+  return of_attraction * law.alpha1 * std::pow(d, law.p - 1.0) - of_repulsion * law.alpha2 * std::pow(d, law.q - 1.0);
+}
+
+std::vector<Mistake> mistakes_of_stiffness(const Pair& pair) {
+  const double k = stiffness(pair), d_e = equilibrium_distance(pair);
+  const Powers law = powers(pair);
+  const double one = std::copysign(1.0, law.p);
+  const std::string missing = "differentiating a power multiplies it by its exponent: ";
+  std::vector<Mistake> all{
+      {{-k},
+       "sign: at a stable equilibrium V'' is positive; each term is multiplied by its own exponent, with its sign"},
+      {{slope(law, d_e, one, law.q)}, missing + "the factor beta1 is missing in V''"},
+      {{slope(law, d_e, law.p, -1.0)}, missing + "the factor beta2 is missing in V''"},
+      {{slope(law, d_e, one, -1.0)}, missing + "the factors beta1 and beta2 are missing in V''"},
+      {{slope(law, d_e, -law.p, law.q)}, "sign of the first term of V'': differentiate alpha1 d^p, p with its sign"},
+      {{slope(law, d_e, law.p, -law.q)}, "sign of the second term of V'': the slope of -alpha2 d^-beta2 is positive"},
+      {{k * d_e}, "exponent: differentiating a power lowers it by one"},
+      {{strength(pair, d_e)}, "this is V', the strength: V'' is its slope"},
+      {{stiffness(other(pair))}, other_variant}};
+  for (const Mistake& mistake : mistakes_of_equilibrium(pair)) {
+    all.push_back({{slope(law, mistake.gives.front(), law.p, law.q)}, mistake.hint});
+  }
+  return all;
 }
 
 Question ask_stiffness(const Pair& pair) {
-  const double k = stiffness(pair), d_e = equilibrium_distance(pair);
   return {.function = "stiffness",
           .inputs = inputs(pair),
-          .expected = {k},
-          .mistakes = {{{-k}, "sign: at a stable equilibrium V'' is positive"},
-                       {{k * d_e}, "exponent: differentiating a power lowers it by one"},
-                       {{strength(pair, d_e)}, "this is V', the strength: V'' is its slope"},
-                       {{stiffness(other(pair))}, other_variant}}};
+          .expected = {stiffness(pair)},
+          .mistakes = mistakes_of_stiffness(pair)};
 }
 
 Question ask_period(const Pair& pair, double m_i, double m_j) {
   const double T = period(pair, m_i, m_j), k = stiffness(pair);
   const std::string reduced =
       "both bodies move: take the reduced mass m_i m_j / (m_i + m_j), not one mass or their sum";
-  return {.function = "period",
-          .inputs = inputs(pair, {m_i, m_j}),
-          .expected = {T},
-          .mistakes = {{{period_of(m_i, k)}, reduced},
-                       {{period_of(m_j, k)}, reduced},
-                       {{period_of(m_i + m_j, k)}, reduced},
-                       {{period_of(0.5 * (m_i + m_j), k)}, reduced},
-                       {{T / std::numbers::sqrt2}, "factor sqrt 2: the reduced mass holds no factor 1/2 of its own"},
-                       {{T * std::numbers::sqrt2}, "factor sqrt 2: the reduced mass is m/2 for equal masses m"},
-                       {{0.5 * T / std::numbers::pi}, "factor 2 pi: the period is 2 pi over the angular frequency"},
-                       {{1.0 / T}, "this is the frequency: the period is its inverse"},
-                       {{2.0 * std::numbers::pi / T}, "this is the angular frequency: the period is 2 pi over it"},
-                       {{T * T / (2.0 * std::numbers::pi)}, "the root is missing: T = 2 pi sqrt(m*/V'')"},
-                       {{period(other(pair), m_i, m_j)}, other_variant}}};
+  Question question{
+      .function = "period",
+      .inputs = inputs(pair, {m_i, m_j}),
+      .expected = {T},
+      .mistakes = {{{period_of(m_i, k)}, reduced},
+                   {{period_of(m_j, k)}, reduced},
+                   {{period_of(m_i + m_j, k)}, reduced},
+                   {{period_of(0.5 * (m_i + m_j), k)}, reduced},
+                   {{T / std::numbers::sqrt2}, "factor sqrt 2: the reduced mass holds no factor 1/2 of its own"},
+                   {{T * std::numbers::sqrt2}, "factor sqrt 2: the reduced mass is m/2 for equal masses m"},
+                   {{0.5 * T / std::numbers::pi}, "factor 2 pi: the period is 2 pi over the angular frequency"},
+                   {{1.0 / T}, "this is the frequency: the period is its inverse"},
+                   {{2.0 * std::numbers::pi / T}, "this is the angular frequency: the period is 2 pi over it"},
+                   {{T * T / (2.0 * std::numbers::pi)}, "the root is missing: T = 2 pi sqrt(m*/V'')"},
+                   {{period(other(pair), m_i, m_j)}, other_variant}}};
+  // A wrong stiffness shows here too.
+  for (const Mistake& mistake : mistakes_of_stiffness(pair)) {
+    const double wrong = T * std::sqrt(k / mistake.gives.front());
+    if (std::isfinite(wrong)) question.mistakes.push_back({{wrong}, mistake.hint});
+  }
+  return question;
 }
 
 Line exact_case(int variant, Draw& draw) {
-  const double beta1 = variant == 1 ? 2.0 : 1.0, beta2 = variant == 1 ? 4.0 : 3.0;
+  // Neither they nor what integration makes of them is 1, so that no factor can be left out; with beta2 = 2 beta1 - 1
+  // a stiffness without beta2 would look like a wrong sign.
+  const double beta1 = variant == 1 ? 3.0 : 2.0;
+  const double beta2 = variant == 1 ? 7.0 + draw.one_of(2) : 3.0 + 3.0 * draw.one_of(2);
   const Pair pair{variant, draw.between(1.0, 2.0), draw.between(3.0, 5.0), beta1, beta2};
   const double d_ref = draw.between(1.2, 1.6);
   const double close = draw.between(0.4, 0.7), far = draw.between(6.0, 9.0);
@@ -250,13 +287,14 @@ Line limit_case(int variant, Draw& draw) {
   }
   const Pair repelling{variant, alpha1, alpha2, 0.5, 1.0};
   line.questions.push_back(ask_potential_at_limit(repelling, d, d_ref));
-  line.questions.push_back(ask_period(repelling, draw.between(1.0, 2.0), 1e30));
+  const Pair heavy{variant, alpha1, alpha2, 0.5, other_beta};
+  line.questions.push_back(ask_period(heavy, draw.between(1.0, 2.0), 1e30));
   return line;
 }
 
 // Centred differences of the student's own potential at h and h/2, extrapolated: the error left is of order (h/d)^4.
 std::optional<Finding> slope_is_strength(const Answers& answers, std::size_t first, const Pair& pair, double d,
-                                         double h) {
+                                         double d_ref, double h) {
   const double C = answers[first][0];
   const double wide = (answers[first + 1][0] - answers[first + 2][0]) / (2.0 * h);
   const double narrow = (answers[first + 3][0] - answers[first + 4][0]) / h;
@@ -265,10 +303,12 @@ std::optional<Finding> slope_is_strength(const Answers& answers, std::size_t fir
   const double tolerance = 1e-6 * (law.alpha1 * std::pow(d, law.p) + law.alpha2 * std::pow(d, law.q));
   if (std::abs(slope - C) <= tolerance) return std::nullopt;
   const bool opposite = std::abs(slope + C) <= tolerance;
-  return Finding{.expected = fmt::format("slope of potential() at d = {} is strength() = {:.10g}", d, C),
-                 .obtained = fmt::format("slope {:.10g}, by differences of your potential() at d +- {}", slope, h),
-                 .hint = opposite ? "sign of the whole: V' = C, so that energy is conserved"
-                                  : "energy is not conserved: differentiate your V by hand, it must give your C"};
+  return Finding{
+      .expected = fmt::format("slope of potential() there, with d_ref = {}, is your strength() = {:.10g}", d_ref, C),
+      .obtained = fmt::format("slope {:.10g}, by differences of your potential() at d +- {}", slope, h),
+      .hint = opposite ? "sign of the whole: V' = C, so that energy is conserved"
+                       : "energy is not conserved: differentiate your V by hand, it must give your C",
+      .question = first};
 }
 
 Line conservation(int variant, Draw& draw) {
@@ -285,10 +325,10 @@ Line conservation(int variant, Draw& draw) {
       line.questions.push_back({.function = "potential", .inputs = inputs(pair, {at, d_ref})});
     }
   }
-  line.holds = [pair, distances](const Answers& answers) {
+  line.holds = [pair, distances, d_ref](const Answers& answers) {
     std::optional<Finding> wrong;
     for (std::size_t k = 0; k < distances.size() && !wrong; ++k) {
-      wrong = slope_is_strength(answers, 5 * k, pair, distances[k], h);
+      wrong = slope_is_strength(answers, 5 * k, pair, distances[k], d_ref, h);
     }
     return wrong;
   };
@@ -296,10 +336,11 @@ Line conservation(int variant, Draw& draw) {
 }
 
 Line extreme_case(int variant, Draw& draw) {
-  const Pair pair{variant, draw.between(1.0, 2.0), draw.between(0.1, 0.5), variant == 1 ? 7.0 : 3.0, 13.0};
+  const Pair pair{variant, draw.between(1.0, 2.0), draw.between(0.1, 0.5), variant == 1 ? 6.0 : 3.0, 13.0};
   const Pair close{variant, pair.alpha1, 1e-12 * pair.alpha2, pair.beta1, pair.beta2};
   Line line{.name = "extreme case: exponent 13, distances from 0.001 to 1000", .points = 5.0, .relative = 1e-10};
-  for (const double d : {1e-3, 1e3}) {
+  // Far out one term alone is left: what is wrong with the other shows nearby.
+  for (const double d : {draw.between(1.1, 1.3), 1e-3, 1e3}) {
     line.questions.push_back(ask_strength(pair, d));
     line.questions.push_back(ask_potential(pair, d, 1.5));
   }
@@ -309,8 +350,9 @@ Line extreme_case(int variant, Draw& draw) {
   line.questions.push_back(ask_period(close, m_i, m_j));
   for (Question& question : line.questions) {
     question.otherwise =
-        "values span forty orders of magnitude: use double and std::pow, add no small number to d, and replace no "
-        "derivative or integral by differences or sums";
+        "compare with the formula of the brief, term by term; where the other lines are right: values span forty "
+        "orders of magnitude, so use double and std::pow, add no small number to d, and replace no derivative or "
+        "integral by differences or sums";
   }
   return line;
 }

@@ -1,7 +1,8 @@
 #pragma once
 
 /// @file
-/// The header to keep: write these functions in pair_law.cpp, and change nothing here.
+/// The header to keep: write these functions in pair_law.cpp, and change nothing here. The law C(d) is that of your
+/// variant, which the head of the score table names: run the check once to learn it.
 
 /// Constants of the law between two bodies. Attraction comes first, repulsion second; both strengths are positive.
 struct PairLaw {

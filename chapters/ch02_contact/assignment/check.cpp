@@ -61,11 +61,13 @@ enum class Flaw {
   mass_of_i,
   mass_of_j,
   whole_velocity,
+  sticks_strictly,
+  never_sticks,
+  forgotten_bars,
   friction_pushes,
   slides_by_static,
   swapped_coefficients,
   sticks_by_dynamic,
-  never_sticks,
   always_sticks,
   no_friction,
   swapped_masses,
@@ -89,13 +91,16 @@ const std::vector<std::pair<Flaw, std::string>> flaws{
     {Flaw::mass_of_i, "m* is not the mass of one body: 1/m* = 1/m_i + 1/m_j"},
     {Flaw::mass_of_j, "swapped indices: the mass of j stands where that of i belongs"},
     {Flaw::whole_velocity, "friction acts across n: take the normal part from the relative velocity, w - (w.n) n"},
+    {Flaw::sticks_strictly,
+     "it sticks where m* |slip| <= mu_s |J|, equality included: where nothing slips and nothing rubs, sliding is 0/0"},
+    {Flaw::never_sticks,
+     "friction is not capped: it can stop the slip, never reverse it; stick if m* |slip| <= mu_s |J|, with |J| since J "
+     "is negative, and where nothing slips slip/|slip| is 0/0"},
+    {Flaw::forgotten_bars, "|J|, not J: the impulse J is negative, friction is proportional to its size"},
     {Flaw::friction_pushes, "sign of friction: on i it acts against the slip of i over j"},
     {Flaw::slides_by_static, "once it slides the coefficient is mu_d, not mu_s"},
     {Flaw::swapped_coefficients, "mu_s and mu_d are swapped: mu_s says whether it sticks, mu_d how strongly it slides"},
     {Flaw::sticks_by_dynamic, "whether it sticks is decided by mu_s, not by mu_d"},
-    {Flaw::never_sticks,
-     "friction is not capped: it can stop the slip, never reverse it; stick if m* |slip| <= mu_s |J|, and where "
-     "nothing slips slip/|slip| is 0/0"},
     {Flaw::always_sticks, "friction cannot stop every slip: it slides where sticking needs more than mu_s |J|"},
     {Flaw::no_friction, "friction is missing: add P across n to J along n"},
     {Flaw::swapped_masses, "swapped indices: the change of v_i is the impulse over m_i, that of v_j over m_j"},
@@ -147,9 +152,12 @@ Vector3d flawed_friction(const Hit& hit, Flaw flaw, double mass, double J) {
   const bool swapped = flaw == Flaw::swapped_coefficients;
   const double to_stick = swapped || flaw == Flaw::sticks_by_dynamic ? hit.friction.mu_d : hit.friction.mu_s;
   const double to_slide = swapped || flaw == Flaw::slides_by_static ? hit.friction.mu_s : hit.friction.mu_d;
-  const bool can_stick = mass * slip.norm() <= to_stick * std::abs(J);
+  const double size = std::abs(J), needed = mass * slip.norm();
+  const double limit = to_stick * (flaw == Flaw::forgotten_bars ? J : size);
+  const bool can_stick = flaw == Flaw::sticks_strictly ? needed < limit : needed <= limit;
   const bool sticks = flaw == Flaw::always_sticks || (can_stick && flaw != Flaw::never_sticks);
-  const Vector3d P = sticks ? Vector3d(-mass * slip) : Vector3d(-to_slide * std::abs(J) / slip.norm() * slip);
+  const double against = flaw == Flaw::forgotten_bars ? J : size;
+  const Vector3d P = sticks ? Vector3d(-mass * slip) : Vector3d(-to_slide * against / slip.norm() * slip);
   return flaw == Flaw::friction_pushes ? Vector3d(-P) : P;
 }
 
@@ -274,9 +282,9 @@ Line exact_case(int variant, Draw& draw) {
           .points = 5.0,
           .relative = 1e-10,
           .absolute = 1e-12,
-          .questions = {ask_normal(degrees), ask_impact(straight), ask_normal_impulse(straight),
-                        ask_normal_impulse(sliding), ask_friction_impulse(gentle), ask_friction_impulse(sticking),
-                        ask_friction_impulse(sliding), ask_impact(sticking), ask_impact(sliding)}};
+          .questions = {ask_normal(degrees), ask_normal_impulse(straight), ask_normal_impulse(sliding),
+                        ask_friction_impulse(gentle), ask_friction_impulse(sticking), ask_friction_impulse(sliding),
+                        ask_impact(straight), ask_impact(sticking), ask_impact(sliding)}};
 }
 
 Line limit_case(int variant, Draw& draw) {
@@ -325,7 +333,11 @@ struct Facts {
   std::optional<Finding> restitution() const {
     const double out = (v_j - v_i).dot(hit.n), in = approach(hit);
     if (std::abs(out - hit.e * in) <= 1e-9) return std::nullopt;
-    return Finding{fmt::format("the bodies part at e u = {:.10g} m/s", hit.e * in), fmt::format("{:.10g} m/s", out),
+    const std::string expected = fmt::format("the bodies part at e u = {:.10g} m/s", hit.e * in);
+    const std::string obtained = fmt::format("{:.10g} m/s", out);
+    if (out < -in - 1e-9) return Finding{expected, obtained, hint_of(Flaw::impulse_reversed)};
+    if (std::abs(out + in) <= 1e-9) return Finding{expected, obtained, hint_of(Flaw::approach_reversed)};
+    return Finding{expected, obtained,
                    "restitution: along n the speed of parting is e times that of approach; look at 1 + e, at the "
                    "masses, and that e compares velocities, not energies"};
   }
@@ -336,7 +348,7 @@ struct Facts {
     const double after = 0.5 * reduced_mass(hit) * (v_i - v_j).squaredNorm();
     if (after <= before * (1.0 + 1e-9)) return std::nullopt;
     return Finding{fmt::format("no energy is gained: of the relative motion there was {:.10g} J", before),
-                   fmt::format("{:.10g} J", after), hint_of(Flaw::friction_pushes)};
+                   fmt::format("{:.10g} J", after), hint_of(Flaw::friction_pushes) + "; J is negative, so take |J|"};
   }
 
   std::optional<Finding> friction() const {
@@ -387,7 +399,10 @@ Line conservation(int variant, Draw& draw) {
   for (const Hit& hit : hits) line.questions.push_back({.function = "impact", .inputs = inputs(hit), .count = 6});
   line.holds = [hits](const Answers& answers) -> std::optional<Finding> {
     for (std::size_t k = 0; k < hits.size(); ++k) {
-      if (const std::optional<Finding> wrong = Facts(hits[k], answers[k]).all()) return wrong;
+      std::optional<Finding> wrong = Facts(hits[k], answers[k]).all();
+      if (!wrong) continue;
+      wrong->question = k;
+      return wrong;
     }
     return std::nullopt;
   };
@@ -407,6 +422,10 @@ Line extreme_case(int variant, Draw& draw) {
   const Hit parting = grazing(variant, 120.0, draw);
   Hit touching = head_on(variant, draw);
   touching.v_j = touching.v_i + Vector3d(0.0, 1.0, 1.0);
+  // Head-on, where nothing slips: without friction, and where J = 0.
+  Hit smooth = head_on(variant, draw), leaving = head_on(variant, draw);
+  smooth.friction = {};
+  std::swap(leaving.v_i, leaving.v_j);
   const Hit just_sticks = oblique(variant, 1.0 - 1e-6, draw), just_slides = oblique(variant, 1.0 + 1e-6, draw);
   Hit dust = oblique(variant, 0.15, draw);
   dust.m_i *= 1e-15;
@@ -414,7 +433,7 @@ Line extreme_case(int variant, Draw& draw) {
   Line line{.name = "extreme case: grazing, parting, the edge of sticking, grains of dust", .points = 5.0};
   line.relative = 1e-10;
   line.absolute = 1e-12;
-  for (const Hit& hit : {dust, just_sticks, graze, parting, touching, just_slides}) {
+  for (const Hit& hit : {dust, just_sticks, graze, parting, touching, just_slides, smooth, leaving}) {
     line.questions.push_back(ask_impact(hit));
     line.questions.back().otherwise =
         "compare u with 0 and m* |slip| with mu_s |J| as they are: no small number belongs into a comparison, a mass "

@@ -3,7 +3,8 @@
 #include <Eigen/Core>
 
 /// @file
-/// The header to keep: write these functions in rebound.cpp, and change nothing here.
+/// The header to keep: write these functions in rebound.cpp, and change nothing here. Only your variant is to be coded,
+/// which the head of the score table names: run the check once to learn it.
 
 /// One body of an impact. In variant 2 the body j is driven: no impact changes its velocity, whatever its mass.
 struct Body {

@@ -41,9 +41,9 @@ struct Step {
 };
 
 schemes::Iteration iteration(const Field& field, double unit) {
-  // The library keeps what is no number out of its measure: to it, sweeps that overflow have no finite change.
-  const double w_K = std::isnan(field.w_K) ? infinity : field.w_K;
-  return {.w_0 = field.w_0 / unit, .w_K = w_K / unit, .K = field.K, .p = field.p};
+  // The library keeps what is no number out of its measure: to it, sweeps that overflow have a last change beyond any.
+  const double w_K = std::isnan(field.w_K) ? infinity : field.w_K, w_0 = std::isfinite(field.w_0) ? field.w_0 : 1.0;
+  return {.w_0 = w_0 / unit, .w_K = w_K / unit, .K = field.K, .p = field.p};
 }
 
 double factor_by_library(const Field& field, int K_d) {
@@ -79,9 +79,13 @@ enum class Flaw {
   contraction_inverted,
   last_change,
   forgotten_first,
+  no_guard,
+  small_is_zero,
   turned_decision,
   strictly_below,
   no_limit,
+  forgotten_dt,
+  no_floor,
   no_growth_bound,
   no_retry_bound,
   no_shrink_bound,
@@ -104,7 +108,9 @@ const std::vector<std::pair<Flaw, std::string>> flaws_of_factor{
     {Flaw::upside_down, "the ratio is inverted: a larger TOL allows a larger step"},
     {Flaw::contraction_inverted, "the contraction that was seen is (w_K/w_0)^(1/K), below 1 if it converges"},
     {Flaw::last_change, "TOL is compared with w_0, not with w_K: both errors start from the first change"},
-    {Flaw::forgotten_first, "w_0 is forgotten: TOL and w_K are both reached from it, TOL/w_0 and w_K/w_0"}};
+    {Flaw::forgotten_first, "w_0 is forgotten: TOL and w_K are both reached from it, TOL/w_0 and w_K/w_0"},
+    {Flaw::no_guard, "guard 0/0 and 1/0: w_K = 0 or K = 0 gives an infinite factor, before anything is divided"},
+    {Flaw::small_is_zero, "a small w_K is a number like any other: the factor is infinite only where it is exactly 0"}};
 
 const std::vector<std::pair<Flaw, std::string>> flaws_of_decision{
     {Flaw::strictly_below, "a step that meets TOL exactly stands: w_K <= TOL"},
@@ -112,6 +118,8 @@ const std::vector<std::pair<Flaw, std::string>> flaws_of_decision{
     {Flaw::summed_errors, "the largest w_K/TOL decides, not the sum over the fields"},
     {Flaw::turned_decision, "the decision is turned round: a step stands if w_K <= TOL"},
     {Flaw::no_limit, "cap forgotten: no step is larger than limit"},
+    {Flaw::forgotten_dt, "dt is forgotten: Phi_K and its bounds are factors, the next step is so many times dt"},
+    {Flaw::no_floor, "bound forgotten: after an accepted step the next is not smaller, max(1, ...) dt"},
     {Flaw::no_growth_bound, "cap forgotten: after an accepted step at most growth dt"},
     {Flaw::no_retry_bound, "cap forgotten: after a refused step at most retry dt, or it fails by a hair again"},
     {Flaw::no_shrink_bound, "bound forgotten: after a refused step at least shrink dt"},
@@ -121,7 +129,8 @@ const std::vector<std::pair<Flaw, std::string>> flaws_of_decision{
     {Flaw::largest_factor, "the smallest Phi_K of all fields rules, not the largest"}};
 
 double flawed_factor(const Field& field, int K_d, Flaw flaw) {
-  if (field.w_K == 0.0 || field.K == 0) return infinity;
+  const bool saw_none = field.w_K == 0.0 || field.K == 0 || (flaw == Flaw::small_is_zero && field.w_K < 1e-12);
+  if (saw_none && flaw != Flaw::no_guard) return infinity;
   if (!std::isfinite(field.w_K)) return 0.0;
   double wanted = field.TOL / field.w_0, seen = field.w_K / field.w_0;
   double p = field.p, K = field.K, desired = K_d;
@@ -174,10 +183,11 @@ std::vector<double> flawed_decision(Step step, Flaw flaw) {
   }
   const schemes::PhiControl& control = step.control;
   const bool accepted = flawed_acceptance(step, flaw);
-  const double low = accepted ? 1.0 : flaw == Flaw::no_shrink_bound ? 0.0 : control.shrink;
+  const bool is_free = flaw == (accepted ? Flaw::no_floor : Flaw::no_shrink_bound);
+  const double low = is_free ? 0.0 : accepted ? 1.0 : control.shrink;
   double high = accepted ? control.growth : control.retry;
   if (flaw == (accepted ? Flaw::no_growth_bound : Flaw::no_retry_bound)) high = infinity;
-  const double next = std::clamp(flawed_factor(step, flaw), low, high) * step.dt;
+  const double next = std::clamp(flawed_factor(step, flaw), low, high) * (flaw == Flaw::forgotten_dt ? 1.0 : step.dt);
   return {accepted ? 1.0 : 0.0, flaw == Flaw::no_limit ? next : std::min(next, control.limit)};
 }
 
@@ -268,9 +278,12 @@ Line limit_case(int variant, Draw& draw) {
   Step barely = step(variant, K_d, K_d, draw);
   barely.fields.back().w_K = 1.01 * barely.fields.back().TOL;
   barely.control.retry = draw.between(0.7, 0.9);
-  Line line{.name = "limit case: TOL met exactly, and each cap", .points = 5.0, .relative = 1e-10};
+  // Its sweeps diverge, and it stands all the same.
+  Step slow = step(variant, 2, 8, draw);
+  for (Field& field : slow.fields) field.w_0 = draw.between(0.05, 0.1) * field.TOL;
+  Line line{.name = "limit case: TOL met exactly, and each bound", .points = 5.0, .relative = 1e-10};
   line.questions = {ask_factor(limited.fields.front(), limited.control.K_d), ask_factor(met.fields.front(), K_d)};
-  for (const Step& step : {grows, limited, met, barely}) line.questions.push_back(ask_decision(step));
+  for (const Step& step : {grows, limited, met, slow, barely}) line.questions.push_back(ask_decision(step));
   return line;
 }
 
@@ -386,7 +399,10 @@ Line order(int variant, Draw& draw) {
   }
   line.holds = [trials, tolerance = line.relative](const Answers& answers) -> std::optional<Finding> {
     for (std::size_t k = 0; k < trials.size(); ++k) {
-      if (const std::optional<Finding> wrong = meets_in_desired(trials[k], answers[k], tolerance)) return wrong;
+      std::optional<Finding> wrong = meets_in_desired(trials[k], answers[k], tolerance);
+      if (!wrong) continue;
+      wrong->question = k;
+      return wrong;
     }
     return std::nullopt;
   };
@@ -406,15 +422,16 @@ Step extreme(int variant, double w_0, double w_K, int K, Draw& draw) {
 
 Question ask_without_number(const Step& step) {
   Question question = ask_decision(step);
-  const std::string hint = "NaN fails every comparison: accept where w_K <= TOL, do not refuse where w_K > TOL";
-  const Mistake grows{{1.0, step.control.growth * step.dt}, hint}, stays{{1.0, step.dt}, hint};
-  question.mistakes.insert(question.mistakes.begin(), {grows, stays});
-  return question;
-}
-
-Question unguarded(Question question) {
-  question.mistakes.insert(question.mistakes.begin(),
-                           {{nan}, "guard 0/0: w_K = 0 or K = 0 gives an infinite factor, before anything is divided"});
+  const std::string accepts = "NaN fails every comparison: accept where w_K <= TOL, do not refuse where w_K > TOL";
+  const std::string passes =
+      "a field whose w_K is NaN or infinite counts with Phi_K = 0: ask for it first, std::min and std::clamp may pass "
+      "a NaN by";
+  const schemes::PhiControl& control = step.control;
+  question.mistakes.insert(question.mistakes.begin(), {{{1.0, control.growth * step.dt}, accepts},
+                                                       {{1.0, step.dt}, accepts},
+                                                       {{0.0, control.retry * step.dt}, passes},
+                                                       {{0.0, control.limit}, passes},
+                                                       {{0.0, nan}, passes}});
   return question;
 }
 
@@ -424,19 +441,21 @@ Line extreme_case(int variant, Draw& draw) {
   const Step no_number = extreme(variant, 0.1, nan, 8, draw);
   const Step exactly = extreme(variant, 0.1, 0.0, 3, draw);
   const Step rests = extreme(variant, 0.0, 0.0, 0, draw);
-  const Step at_once = extreme(variant, 1e-9, 1e-9, 0, draw);
+  const Step stays = extreme(variant, 0.0, 0.0, 3, draw);
+  const Step bursts = extreme(variant, infinity, infinity, 3, draw);
+  // Bounds far away: they must not hide what a single sweep says.
+  Step at_once = extreme(variant, 1e-9, 1e-9, 0, draw);
+  at_once.control.growth = 500.0;
+  at_once.control.limit = 1000.0 * at_once.dt;
   Step sharp = step(variant, 4, 6, draw);
   sharp.control.growth = 50.0;
   for (Field& field : sharp.fields) field = {.w_0 = 1e-3, .w_K = 1e-16, .K = 4, .p = field.p, .TOL = 1e-15};
   Line line{.name = "extreme case: divergence, overflow, nothing moves, TOL = 1e-15", .points = 5.0, .relative = 1e-10};
-  line.questions = {ask_factor(sharp.fields.front(), 6),
-                    unguarded(ask_factor(exactly.fields.back(), 8)),
-                    unguarded(ask_factor(rests.fields.back(), 8)),
-                    ask_decision(sharp),
-                    ask_decision(diverges),
-                    ask_decision(overflows),
-                    ask_without_number(no_number)};
-  for (const Step& step : {exactly, rests, at_once}) line.questions.push_back(ask_decision(step));
+  line.questions = {ask_factor(sharp.fields.front(), 6)};
+  for (const Step& step : {exactly, rests, stays, at_once}) line.questions.push_back(ask_factor(step.fields.back(), 8));
+  for (const Step& step : {sharp, diverges, overflows}) line.questions.push_back(ask_decision(step));
+  line.questions.push_back(ask_without_number(no_number));
+  for (const Step& step : {bursts, exactly, rests, stays, at_once}) line.questions.push_back(ask_decision(step));
   for (Question& question : line.questions) {
     question.otherwise =
         "w_K = 0 or K = 0 gives an infinite factor; a w_K that is infinite or NaN is refused with "

@@ -3,11 +3,12 @@
 #include <vector>
 
 /// @file
-/// The header to keep: write these functions in step_control.cpp, and change nothing here.
+/// The header to keep: write these functions in step_control.cpp, and change nothing here. Only your variant is to be
+/// coded, which the head of the score table names: run the check once to learn it.
 
 /// How the sweeps over one field went, in one attempted step.
 struct Sweeps {
-  double w_0 = 0.0;  ///< change made by the first sweep, normalized; 0 if nothing moves [-]
+  double w_0 = 0.0;  ///< change made by the first sweep, normalized; 0 if nothing moves, infinite if it overflowed [-]
   double w_K = 0.0;  ///< change made by the last sweep, normalized; infinite or NaN if the sweeps overflowed [-]
   int K = 0;         ///< contractions between them, one less than sweeps; 0 after a single sweep [-]
   int p = 2;         ///< exponent of the step in the contraction: 2 for r'' = f(r), 1 for y' = f(y) [-]
@@ -30,7 +31,7 @@ struct Decision {
 };
 
 /// Factor between the step that was made and the one that would have met the tolerance in exactly K_d contractions.
-/// @param sweeps  of the step that was made; w_K is finite
+/// @param sweeps  of the step that was made; w_K is finite, and so is w_0; w_0 = 0 only where w_K = 0
 /// @param K_d     contractions that are desired, >= 1 [-]
 /// @return Phi_K; infinite if w_K = 0 or K = 0, where no contraction was seen that could be extrapolated [-]
 double step_factor(const Sweeps& sweeps, int K_d);

@@ -2,6 +2,7 @@
 // graded: --variant 1 --student anna -> 5
 // graded: --variant 1 --student bob@school.edu -> 5
 // hint: repulsion is subtracted from attraction
+// never: sign of the whole: attraction
 
 #include "right.hpp"
 

@@ -2,6 +2,7 @@
 // graded: --variant 1 --student anna -> 0
 // graded: --variant 1 --student bob@school.edu -> 0
 // hint: sign of J: contacts push
+// never: restitution: along n
 
 #include "right.hpp"
 

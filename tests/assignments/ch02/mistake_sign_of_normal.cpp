@@ -2,7 +2,6 @@
 // graded: --variant 1 --student anna -> 0
 // graded: --variant 1 --student bob@school.edu -> 0
 // hint: sign of n: it points from i to j
-// hint: restitution: along n
 
 #include "right.hpp"
 

@@ -21,10 +21,11 @@ namespace {
 
 namespace schemes = particulate::schemes;
 
-// To the library, sweeps that overflow have no finite change.
+// To the library, sweeps that overflow have a last change beyond any.
 schemes::Iteration iteration(const Sweeps& sweeps, double unit) {
   const double w_K = std::isnan(sweeps.w_K) ? std::numeric_limits<double>::infinity() : sweeps.w_K;
-  return {.w_0 = sweeps.w_0 / unit, .w_K = w_K / unit, .K = sweeps.K, .p = sweeps.p};
+  const double w_0 = std::isfinite(sweeps.w_0) ? sweeps.w_0 : 1.0;
+  return {.w_0 = w_0 / unit, .w_K = w_K / unit, .K = sweeps.K, .p = sweeps.p};
 }
 
 }  // namespace
