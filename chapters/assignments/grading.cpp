@@ -479,7 +479,8 @@ int run(int argc, char** argv, const Assignment& assignment) {
   fmt::print("{}\nstudent {}, variant {}: {}\n\n", assignment.title, options.student, *variant,
              assignment.variants[static_cast<std::size_t>(*variant - 1)]);
   std::vector<Score> scores{compiles(options.log)};
-  for (const Line& line : assignment.lines(*variant, numbers)) {
+  for (const auto make_line : assignment.lines) {
+    const Line line = make_line(*variant, numbers);
     scores.push_back(options.log.empty()
                          ? grade(options.program, line, limits)
                          : Score{.name = line.name, .possible = line.points, .hint = "not asked: it does not compile"});

@@ -121,9 +121,10 @@ class Draw {
 
 /// A problem for one student.
 struct Assignment {
-  std::string title;                                                   ///< for the head of the table
-  std::vector<std::string> variants;                                   ///< what each variant of the problem asks
-  std::function<std::vector<Line>(int variant, Draw& numbers)> lines;  ///< the table, but for "compiles"
+  std::string title;                  ///< for the head of the table
+  std::vector<std::string> variants;  ///< what each variant of the problem asks
+  /// The table, but for "compiles". Lines are made in this order, each with its numbers from the same stream.
+  std::vector<Line (*)(int variant, Draw& numbers)> lines;
 };
 
 /// The main program of a check: reads the command line, grades, prints the table, writes the results for Gradescope.

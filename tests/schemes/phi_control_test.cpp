@@ -115,6 +115,14 @@ BOOST_AUTO_TEST_CASE(follows_the_field_that_asks_for_the_smallest_step) {
   BOOST_TEST(now.dt() == 0.5 * std::sqrt(4.0 / 3.0), tolerance(1e-14));
 }
 
+BOOST_AUTO_TEST_CASE(retries_staggered_fields_that_show_nothing_as_it_does_a_single_one) {
+  PhiControl now = control();
+  const std::array<Iteration, 2> fields{Iteration{.evaluated = false, .field = "motion"}, Iteration{.field = "heat"}};
+  BOOST_TEST(!now.judge({.dt = 0.5, .iteration = fields[0], .fields = fields}).accepted);
+  BOOST_TEST(now.controlling == "motion");
+  BOOST_TEST(now.dt() == 0.25, tolerance(1e-14));
+}
+
 BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE(validate_)

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include <harness/case.hpp>
-#include <harness/competitors.hpp>
+#include <harness/races.hpp>
 #include <particulate/schemes/runge_kutta.hpp>
 #include <particulate/schemes/verlet.hpp>
 
@@ -28,13 +28,6 @@ std::vector<double> halved(double largest, int count) {
   return sizes;
 }
 
-// Two tolerances a decade, from 1e-4 on.
-std::vector<double> tolerances(int decades) {
-  std::vector<double> all;
-  for (int half = 0; half <= 2 * decades; ++half) all.push_back(std::pow(10.0, -4.0 - 0.5 * half));
-  return all;
-}
-
 // CVODE with the absolute tolerance a tenth of the relative one.
 template <class Change>
 auto by_roots(const reference::Events& events, const Change& change) {
@@ -45,12 +38,6 @@ auto by_roots(const reference::Events& events, const Change& change) {
       return advance_through_impacts(integrator, state, t_end, change);
     };
   };
-}
-
-Competitor with_slope(Competitor who, std::string steeper = {}) {
-  who.slope = 1.0;
-  who.steeper = std::move(steeper);
-  return who;
 }
 
 const Case bouncing{
@@ -70,15 +57,15 @@ const Case bouncing{
       race.speed = Bouncing{.h = 0.4, .e = e}.impact_speed(0);
       const std::vector<double> steps = halved(1e-3, rows.quick() ? 6 : 10);
       // The worst of sixteen impacts is late by nearly a whole step, so that the slope shows without scatter.
-      rows.work_precision(
-          {.problem = "bouncing",
-           .reference = "closed form, rounded",
-           .floor = 1e-15,
-           .competitors = {
-               with_slope(competitor("RK4, stepped contact", race, steps, at_fixed_step<schemes::RungeKutta4>())),
-               with_slope(competitor("velocity Verlet, stepped contact", race, steps,
-                                     at_fixed_step<schemes::VelocityVerlet>())),
-               competitor("CVODE Adams with roots", race, tolerances(9), by_roots(ground_events(16), rebound(e)))}});
+      rows.work_precision({.problem = "bouncing",
+                           .reference = "closed form, rounded",
+                           .floor = 1e-15,
+                           .competitors = {with_slope(1.0, competitor("RK4, stepped contact", race, steps,
+                                                                      at_fixed_step<schemes::RungeKutta4>())),
+                                           with_slope(1.0, competitor("velocity Verlet, stepped contact", race, steps,
+                                                                      at_fixed_step<schemes::VelocityVerlet>())),
+                                           competitor("CVODE Adams with roots", race, tolerances(1e-13),
+                                                      by_roots(ground_events(16), rebound(e)))}});
     }};
 
 // The earliest of the three pairs to touch, and its gap.
@@ -162,12 +149,13 @@ const Case three_bodies{
            .reference = "ARKODE Fehlberg 8(7) with bisected impacts; floor: how far CVODE with roots is from it",
            .floor = std::max(disagreement, 1e-14),
            .competitors = {
-               with_slope(competitor("RK4, stepped contact", race, steps, at_fixed_step<schemes::RungeKutta4>()),
+               with_slope(1.0, competitor("RK4, stepped contact", race, steps, at_fixed_step<schemes::RungeKutta4>()),
                           scatter),
-               with_slope(competitor("velocity Verlet, stepped contact", race, steps,
+               with_slope(1.0,
+                          competitor("velocity Verlet, stepped contact", race, steps,
                                      at_fixed_step<schemes::VelocityVerlet>()),
                           scatter),
-               competitor("CVODE Adams with roots", race, tolerances(9),
+               competitor("CVODE Adams with roots", race, tolerances(1e-13),
                           by_roots(gap_events(scene.particles().radius), impact_of_pair(scene.particles().mass)))}});
     }};
 

@@ -364,12 +364,5 @@ int main(int argc, char** argv) {
       argc, argv,
       {.title = "Chapter 1: potential and equilibrium of a pair",
        .variants = {"C(d) = alpha1 d^-beta1 - alpha2 d^-beta2", "C(d) = alpha1 d^beta1 - alpha2 d^-beta2"},
-       .lines = [](int variant, Draw& draw) -> std::vector<Line> {
-         // One after the other: each takes its numbers from the same stream.
-         Line exact = exact_case(variant, draw);
-         Line limit = limit_case(variant, draw);
-         Line conserved = conservation(variant, draw);
-         Line extreme = extreme_case(variant, draw);
-         return {std::move(exact), std::move(limit), std::move(conserved), std::move(extreme)};
-       }});
+       .lines = {exact_case, limit_case, conservation, extreme_case}});
 }

@@ -448,12 +448,5 @@ int main(int argc, char** argv) {
   return grading::run(argc, argv,
                       {.title = "Chapter 2: the impact of two bodies with friction",
                        .variants = {"both bodies move", "body j is driven, its velocity stays as it is"},
-                       .lines = [](int variant, Draw& draw) -> std::vector<Line> {
-                         // One after the other: each takes its numbers from the same stream.
-                         Line exact = exact_case(variant, draw);
-                         Line limit = limit_case(variant, draw);
-                         Line conserved = conservation(variant, draw);
-                         Line extreme = extreme_case(variant, draw);
-                         return {std::move(exact), std::move(limit), std::move(conserved), std::move(extreme)};
-                       }});
+                       .lines = {exact_case, limit_case, conservation, extreme_case}});
 }

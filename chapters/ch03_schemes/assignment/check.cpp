@@ -471,12 +471,5 @@ int main(int argc, char** argv) {
       argc, argv,
       {.title = "Chapter 3: the step size from the sweeps",
        .variants = {"one field of second order, p = 2", "two staggered fields, p = 2 and 1, each with its tolerance"},
-       .lines = [](int variant, Draw& draw) -> std::vector<Line> {
-         // One after the other: each takes its numbers from the same stream.
-         Line exact = exact_case(variant, draw);
-         Line limit = limit_case(variant, draw);
-         Line consistent = order(variant, draw);
-         Line extreme = extreme_case(variant, draw);
-         return {std::move(exact), std::move(limit), std::move(consistent), std::move(extreme)};
-       }});
+       .lines = {exact_case, limit_case, order, extreme_case}});
 }

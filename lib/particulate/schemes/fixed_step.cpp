@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <particulate/schemes/iteration.hpp>
-#include <particulate/schemes/phi_control.hpp>
 
 namespace particulate::schemes {
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 #include <fmt/format.h>
 
@@ -56,6 +57,13 @@ double phi_K(const Iteration& it, double TOL, int K_d) {
   if (it.K < 1) return std::numeric_limits<double>::quiet_NaN();
   if (it.w_K == 0.0) return std::numeric_limits<double>::infinity();
   return std::pow(TOL / it.w_0, 1.0 / (it.p * K_d)) / std::pow(it.w_K / it.w_0, 1.0 / (it.p * it.K));
+}
+
+void validate_tolerance(std::string_view whose, double TOL) {
+  if (!(TOL >= epsilon && std::isfinite(TOL))) {
+    throw std::invalid_argument(fmt::format(
+        "{}: TOL must be finite and at least {:.3g}, below which is rounding, got {}", whose, epsilon, TOL));
+  }
 }
 
 bool at_rounding(const Iteration& it) {

@@ -71,6 +71,13 @@ class IterationMeasure {
 /// @return the factor; infinite if the sweeps met their fixed point exactly; NaN if no contraction was seen [-]
 double phi_K(const Iteration& it, double TOL, int K_d);
 
+/// Refuses a tolerance that rounding can never meet.
+///
+/// @param whose  the setting's owner, for the message
+/// @param TOL    tolerance on a normalized error, at least 2.3e-16 and finite [-]
+/// @throws std::invalid_argument saying what must hold and what was given
+void validate_tolerance(std::string_view whose, double TOL);
+
 /// Whether rounding keeps the sweeps from coming any closer to their fixed point.
 ///
 /// Sweeps that contract by q repeat the rounding of each by 1/(1 - q).

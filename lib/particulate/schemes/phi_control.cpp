@@ -47,14 +47,13 @@ Decision PhiControl::judge(const Attempt& made) {
 // The wish of the most demanding field; NaN if nothing was measured.
 double PhiControl::factor(const Attempt& made) {
   if (made.fields.empty()) return phi_K(made.iteration, TOL, K_d);
-  double wish = std::numeric_limits<double>::infinity();
+  double wish = std::numeric_limits<double>::quiet_NaN();
   controlling = made.iteration.field;
   for (const Iteration& field : made.fields) {
     const double its = phi_K(field, TOL, K_d);
-    if (its < wish) {
-      wish = its;
-      controlling = field.field;
-    }
+    if (std::isnan(its) || its >= wish) continue;
+    wish = its;
+    if (std::isfinite(its)) controlling = field.field;
   }
   return wish;
 }
@@ -62,14 +61,6 @@ double PhiControl::factor(const Attempt& made) {
 double PhiControl::within_bounds(double wish, bool met) const {
   if (met) return std::isnan(wish) ? growth : std::clamp(wish, 1.0, growth);
   return std::isnan(wish) ? 0.5 * (shrink + retry) : std::clamp(wish, shrink, retry);
-}
-
-void validate_tolerance(std::string_view whose, double TOL) {
-  constexpr double epsilon = std::numeric_limits<double>::epsilon();
-  if (!(TOL >= epsilon && std::isfinite(TOL))) {
-    throw std::invalid_argument(fmt::format(
-        "{}: TOL must be finite and at least {:.3g}, below which is rounding, got {}", whose, epsilon, TOL));
-  }
 }
 
 void validate(const PhiControl& control) {

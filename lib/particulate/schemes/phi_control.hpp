@@ -57,11 +57,4 @@ struct PhiControl {
 /// @throws std::invalid_argument naming the setting, what must hold and what was given
 void validate(const PhiControl& control);
 
-/// Refuses a tolerance that rounding can never meet.
-///
-/// @param whose  the setting's owner, for the message
-/// @param TOL    tolerance on a normalized error, at least 2.3e-16 and finite [-]
-/// @throws std::invalid_argument saying what must hold and what was given
-void validate_tolerance(std::string_view whose, double TOL);
-
 }  // namespace particulate::schemes

@@ -8,8 +8,6 @@
 
 #include <fmt/format.h>
 
-#include <particulate/schemes/phi_control.hpp>
-
 namespace particulate::schemes {
 
 double Aitken::factor(const Eigen::VectorXd& residual) {
