@@ -356,7 +356,8 @@ int run(int argc, char** argv) {
   checks.add("breathing pair by Verlet, three periods [m]", worst_verlet, 0.05 * std::pow(0.25 * resolution, 2));
   output.write("checks", checks.table());
   line.write_parameters();
-  report::write_stamp(output.folder(), report::make_stamp(line.line(), line.common().seed, "baseline"));
+  const std::string kernel(contact::name(contact::best_kernel()));
+  report::write_stamp(output.folder(), report::make_stamp(line.line(), line.common().seed, kernel));
   fmt::print("{}", checks.table().text());
   return checks.all_hold() ? EXIT_SUCCESS : EXIT_FAILURE;
 }

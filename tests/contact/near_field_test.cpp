@@ -6,6 +6,7 @@
 #include <numbers>
 #include <random>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include <particulate/kinematics/momentum.hpp>
@@ -13,9 +14,13 @@
 #include "close.hpp"
 
 using boost::test_tools::tolerance;
+using particulate::contact::best_kernel;
 using particulate::contact::charges;
 using particulate::contact::Forces;
+using particulate::contact::is_available;
 using particulate::contact::is_full;
+using particulate::contact::Kernel;
+using particulate::contact::name;
 using particulate::contact::NearField;
 using particulate::contact::pair_law;
 using particulate::contact::Places;
@@ -132,27 +137,41 @@ Plain plain_double_loop(const NearField& law, const Cloud& cloud) {
   return plain;
 }
 
-// The reciprocal distance is good to 2.25 eps, each factor of a power costs that and half an eps more; 6 eps are left
-// for the products, the difference of places and the sum.
+// The reciprocal distance is good to 2.25 eps with every kernel, each factor of a power costs that and half an eps
+// more; 6 eps are left for the products, the difference of places and the sum.
 double bound(const NearField& law) { return (2.75 * std::max(law.beta1, law.beta2) + 6.0) * eps; }
 
 void agrees_with_the_plain_loop(const NearField& law, const Cloud& cloud, const Added& added) {
   const Plain plain = plain_double_loop(law, cloud);
-  BOOST_TEST(added.has_value);
+  BOOST_TEST_CONTEXT("kernel " << name(law.kernel)) { BOOST_TEST(added.has_value); }
   for (Eigen::Index i = 0; i < cloud.position.rows(); ++i) {
     const double error = (added.force.row(i) - plain.force.row(i)).norm();
     BOOST_TEST_CONTEXT("particle " << i << " of " << cloud.position.rows() << ", beta = (" << law.beta1 << ", "
-                                   << law.beta2 << ")") {
+                                   << law.beta2 << "), kernel " << name(law.kernel)) {
       BOOST_TEST(error <= bound(law) * plain.terms[i]);
     }
   }
 }
 
-const std::vector<std::array<double, 2>> exponents{{0.0, 1.0},  {1.0, 2.0}, {2.0, 3.0},   {3.0, 2.0},
-                                                   {7.0, 13.0}, {0.5, 1.3}, {64.0, 65.0}, {1.0, 63.5}};
+const std::vector<std::array<double, 2>> exponents{{0.0, 1.0},  {1.0, 2.0}, {2.0, 3.0}, {3.0, 2.0},   {0.0, 2.0},
+                                                   {7.0, 13.0}, {1.5, 2.5}, {0.5, 1.3}, {64.0, 65.0}, {1.0, 63.5}};
 
 NearField with_exponents(const std::array<double, 2>& beta) {
   return {.alpha1 = 0.7, .alpha2 = 0.3, .beta1 = beta[0], .beta2 = beta[1]};
+}
+
+// Those that can be run here: at least the one that every processor runs.
+std::vector<Kernel> kernels() {
+  std::vector<Kernel> all{Kernel::baseline};
+  for (const Kernel more : {Kernel::avx2, Kernel::avx512}) {
+    if (is_available(more)) all.push_back(more);
+  }
+  return all;
+}
+
+NearField with_kernel(Kernel kernel, NearField law) {
+  law.kernel = kernel;
+  return law;
 }
 
 // Unbounded space once more, as a type that the kernel does not know, and which counts what it is asked.
@@ -193,6 +212,79 @@ BOOST_AUTO_TEST_CASE(names_the_constant_what_must_hold_and_what_was_given) {
   }
   BOOST_CHECK_EXCEPTION(validate(NearField{.scaling = static_cast<Scaling>(7)}), std::invalid_argument,
                         says("scaling must be mass, area or pair, got number 7"));
+}
+
+BOOST_AUTO_TEST_CASE(refuses_a_kernel_that_is_not_there_and_names_those_that_are) {
+  for (const Kernel kernel : {Kernel::best, Kernel::baseline, Kernel::avx2, Kernel::avx512, static_cast<Kernel>(7)}) {
+    const NearField law{.kernel = kernel};
+    if (is_available(kernel)) {
+      BOOST_CHECK_NO_THROW(validate(law));
+      continue;
+    }
+    const std::string given = std::string("), got ").append(name(kernel)).append("; take best");
+    BOOST_CHECK_EXCEPTION(validate(law), std::invalid_argument, says("kernel must be best or one that this build has"));
+    BOOST_CHECK_EXCEPTION(validate(law), std::invalid_argument, says("for this processor (baseline"));
+    BOOST_CHECK_EXCEPTION(validate(law), std::invalid_argument, says(given));
+    BOOST_CHECK_EXCEPTION(forces(law, Open{}, pair_at(1.0)), std::invalid_argument, says(given));
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(kernel)
+
+BOOST_AUTO_TEST_CASE(baseline_is_everywhere_and_what_is_none_is_nowhere) {
+  BOOST_TEST(is_available(Kernel::best));
+  BOOST_TEST(is_available(Kernel::baseline));
+  BOOST_TEST(!is_available(static_cast<Kernel>(7)));
+}
+
+// Every processor with AVX-512 has AVX2, and kernels() begins with the slowest.
+BOOST_AUTO_TEST_CASE(best_is_the_last_of_those_available) { BOOST_TEST((best_kernel() == kernels().back())); }
+
+#if defined(__x86_64__) && defined(__GNUC__)
+BOOST_AUTO_TEST_CASE(avx2_and_avx512_are_there_where_the_processor_has_them) {
+  const bool avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+  BOOST_TEST(is_available(Kernel::avx2) == avx2);
+  BOOST_TEST(is_available(Kernel::avx512) == (avx2 && __builtin_cpu_supports("avx512dq") &&
+                                              __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl")));
+}
+#endif
+
+BOOST_AUTO_TEST_CASE(names_are_those_of_the_enumeration) {
+  BOOST_TEST(name(Kernel::best) == "best");
+  BOOST_TEST(name(Kernel::baseline) == "baseline");
+  BOOST_TEST(name(Kernel::avx2) == "avx2");
+  BOOST_TEST(name(Kernel::avx512) == "avx512");
+  BOOST_TEST(name(static_cast<Kernel>(7)) == "none");
+}
+
+// On either side of the number up to which pairs are taken one by one.
+BOOST_AUTO_TEST_CASE(gives_the_same_bits_every_time_and_as_best) {
+  for (const Eigen::Index N : {5, 130}) {
+    const Cloud cloud = cloud_of(N);
+    for (const Kernel kernel : kernels()) {
+      const NearField law = with_kernel(kernel, with_exponents({2.0, 3.0}));
+      const Vectors once = forces(law, Open{}, cloud).force;
+      forces(law, Open{}, cloud_of(300));  // leaves something else behind
+      BOOST_TEST(close(forces(law, Open{}, cloud).force, once, {}));
+      if (kernel != best_kernel()) continue;
+      BOOST_TEST(close(forces(with_kernel(Kernel::best, law), Open{}, cloud).force, once, {}));
+    }
+  }
+}
+
+// Each adds in another order, so some of 390 components are rounded otherwise; ten particles are taken pair by pair.
+BOOST_AUTO_TEST_CASE(is_the_one_that_is_asked_for_but_for_a_handful_of_particles) {
+  const Cloud many = cloud_of(130), few = cloud_of(10);
+  const NearField law = with_exponents({2.0, 3.0});
+  for (const Kernel one : kernels()) {
+    for (const Kernel other : kernels()) {
+      const NearField by_one = with_kernel(one, law), by_other = with_kernel(other, law);
+      BOOST_TEST((forces(by_one, Open{}, many).force == forces(by_other, Open{}, many).force) == (one == other));
+      BOOST_TEST((forces(by_one, Open{}, few).force == forces(by_other, Open{}, few).force));
+    }
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()
@@ -265,22 +357,29 @@ BOOST_AUTO_TEST_CASE(adds_to_what_the_forces_hold) {
   BOOST_TEST(close(force, Vectors{{5.5, 2.0, 3.0}, {-0.5, 5.0, 6.0}}, {}));
 }
 
-// Runs of the kernel hold 128 partners: sizes on both sides of one and two full runs.
+// Up to 10 particles are taken pair by pair; beyond, registers hold 2, 4 or 8 partners and the last may be partly
+// empty.
 BOOST_AUTO_TEST_CASE(agrees_with_the_plain_double_loop_for_any_number_of_particles) {
-  for (const Eigen::Index N : {2, 3, 17, 127, 128, 129, 130, 257, 258}) {
+  for (const Eigen::Index N :
+       {0, 1, 2, 3, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 64, 100, 129}) {
     const Cloud cloud = cloud_of(N);
-    const NearField law = with_exponents({2.0, 3.0});
-    agrees_with_the_plain_loop(law, cloud, forces(law, Open{}, cloud));
+    for (const Kernel kernel : kernels()) {
+      for (const auto& beta : exponents) {
+        const NearField law = with_kernel(kernel, with_exponents(beta));
+        agrees_with_the_plain_loop(law, cloud, forces(law, Open{}, cloud));
+      }
+    }
   }
 }
 
-BOOST_AUTO_TEST_CASE(agrees_with_the_plain_double_loop_for_all_exponents_and_scalings) {
-  const Cloud cloud = cloud_of(40);
-  for (const auto& beta : exponents) {
-    for (const Scaling scaling : {Scaling::mass, Scaling::area, Scaling::pair}) {
-      NearField law = with_exponents(beta);
-      law.scaling = scaling;
-      agrees_with_the_plain_loop(law, cloud, forces(law, Open{}, cloud));
+BOOST_AUTO_TEST_CASE(agrees_with_the_plain_double_loop_for_all_scalings) {
+  for (const Eigen::Index N : {6, 40}) {
+    for (const Kernel kernel : kernels()) {
+      for (const Scaling scaling : {Scaling::mass, Scaling::area, Scaling::pair}) {
+        NearField law = with_kernel(kernel, with_exponents({2.0, 3.0}));
+        law.scaling = scaling;
+        agrees_with_the_plain_loop(law, cloud_of(N), forces(law, Open{}, cloud_of(N)));
+      }
     }
   }
 }
@@ -311,16 +410,22 @@ BOOST_AUTO_TEST_CASE(is_nothing_for_one_particle_and_for_none) {
 }
 
 BOOST_AUTO_TEST_CASE(leaves_no_total_force_and_no_total_moment) {
-  const Cloud cloud = cloud_of(200);
-  for (const auto& beta : exponents) {
-    const Added added = forces(with_exponents(beta), Open{}, cloud);
-    const double sizes = added.force.rowwise().norm().sum();
-    const double arms = added.force.rowwise().norm().dot(cloud.position.rowwise().norm());
-    const double terms = plain_double_loop(with_exponents(beta), cloud).terms.sum();
-    BOOST_TEST(sizes > 0.0);
-    BOOST_TEST(arms > 0.0);
-    BOOST_TEST(added.force.colwise().sum().norm() <= 4.0 * eps * terms);
-    BOOST_TEST(moment(cloud.position, added.force).norm() <= 4.0 * eps * terms);
+  for (const Eigen::Index N : {2, 9, 13, 200}) {
+    const Cloud cloud = cloud_of(N);
+    for (const auto& beta : exponents) {
+      const double terms = plain_double_loop(with_exponents(beta), cloud).terms.sum();
+      for (const Kernel kernel : kernels()) {
+        const Added added = forces(with_kernel(kernel, with_exponents(beta)), Open{}, cloud);
+        const double sizes = added.force.rowwise().norm().sum();
+        const double arms = added.force.rowwise().norm().dot(cloud.position.rowwise().norm());
+        BOOST_TEST_CONTEXT("N = " << N << ", beta = (" << beta[0] << ", " << beta[1] << "), kernel " << name(kernel)) {
+          BOOST_TEST(sizes > 0.0);
+          BOOST_TEST(arms > 0.0);
+          BOOST_TEST(added.force.colwise().sum().norm() <= 4.0 * eps * terms);
+          BOOST_TEST(moment(cloud.position, added.force).norm() <= 4.0 * eps * terms);
+        }
+      }
+    }
   }
 }
 
@@ -347,49 +452,106 @@ BOOST_AUTO_TEST_CASE(is_minus_the_gradient_of_the_potential_energy) {
   }
 }
 
-// Two, 127 and 128 partners away, so in a run of their own, at its end, and in the next.
+// Wherever the two stand: in one register or two, in the first or the last, which may be partly empty.
 BOOST_AUTO_TEST_CASE(has_no_value_where_two_particles_coincide) {
   long times = 0;
-  for (const Eigen::Index partner : {1, 2, 127, 128, 129, 199}) {
-    Cloud cloud = cloud_of(200);
-    cloud.position.row(partner) = cloud.position.row(0);
-    BOOST_TEST(!forces(monograph, Open{}, cloud).has_value);
-    BOOST_TEST(!forces(monograph, Asked{&times}, cloud).has_value);
+  for (const Eigen::Index N : {2, 3, 10, 11, 21, 29, 40}) {
+    const Cloud apart = cloud_of(N);
+    for (Eigen::Index i = 0; i < N; ++i) {
+      for (Eigen::Index j = i + 1; j < N; ++j) {
+        Cloud cloud = apart;
+        cloud.position.row(j) = cloud.position.row(i);
+        for (const Kernel kernel : kernels()) {
+          BOOST_TEST_CONTEXT("particles " << i << " and " << j << " of " << N << ", kernel " << name(kernel)) {
+            BOOST_TEST(!forces(with_kernel(kernel, monograph), Open{}, cloud).has_value);
+          }
+        }
+        BOOST_TEST(!forces(monograph, Asked{&times}, cloud).has_value);
+      }
+    }
+  }
+}
+
+// What fills the last register stands nowhere: a particle at the origin meets nothing there, and neither do particles
+// whose distance from the origin has no square.
+BOOST_AUTO_TEST_CASE(has_a_value_where_only_the_origin_is_too_near_or_too_far) {
+  for (const Eigen::Index N : {9, 11, 13, 20, 23}) {
+    for (const double shift : {0.0, 1e160}) {
+      Cloud cloud = cloud_of(N);
+      cloud.position *= shift == 0.0 ? 1.0 : 1e148;
+      cloud.position.col(0).array() += shift;
+      cloud.position.row(N / 2) << shift, 0.0, 0.0;
+      for (const Kernel kernel : kernels()) {
+        const NearField constant{
+            .alpha1 = 1.0, .alpha2 = 0.25, .beta1 = 0.0, .beta2 = 0.0, .scaling = Scaling::pair, .kernel = kernel};
+        agrees_with_the_plain_loop(constant, cloud, forces(constant, Open{}, cloud));
+      }
+    }
   }
 }
 
 BOOST_AUTO_TEST_CASE(has_no_value_where_a_place_is_none_or_a_force_is_too_large) {
-  Cloud cloud = cloud_of(20);
-  cloud.position(7, 1) = not_a_number;
-  BOOST_TEST(!forces(monograph, Open{}, cloud).has_value);
-  BOOST_TEST(!forces(monograph, Doubled{}, cloud).has_value);
   const NearField steep{.alpha1 = 1.0, .alpha2 = 1.0, .beta1 = 7.0, .beta2 = 13.0};
-  BOOST_TEST(!forces(steep, Open{}, pair_at(1e-50)).has_value);
-  BOOST_TEST(!forces(steep, Doubled{}, pair_at(1e-50)).has_value);
+  for (const Eigen::Index N : {2, 20, 23}) {
+    for (Eigen::Index i = 0; i < N; ++i) {
+      Cloud nowhere = cloud_of(N), near = cloud_of(N);
+      nowhere.position(i, 1) = not_a_number;
+      const Eigen::Index j = i == 0 ? N - 1 : 0;
+      near.position.row(i).setZero();
+      near.position.row(j) << 1e-50, 0.0, 0.0;
+      for (const Kernel kernel : kernels()) {
+        BOOST_TEST(!forces(with_kernel(kernel, monograph), Open{}, nowhere).has_value);
+        BOOST_TEST(!forces(with_kernel(kernel, steep), Open{}, near).has_value);
+      }
+      BOOST_TEST(!forces(monograph, Doubled{}, nowhere).has_value);
+      BOOST_TEST(!forces(steep, Doubled{}, near).has_value);
+    }
+  }
 }
 
-// Squares of 1e-100 and 1e100 are held to full precision, those of 1e-158 and 1e160 are not.
+// Squares of 1e-100 and 1e100 are held to full precision, those of 1e-158 and 1e160 are not. Two particles, and a row
+// of twelve that is long enough for vector registers, where a force is 0.75 times the particles on one side less those
+// on the other.
 BOOST_AUTO_TEST_CASE(is_exact_at_extreme_distances_or_has_no_value) {
-  const NearField constant{.alpha1 = 1.0, .alpha2 = 0.25, .beta1 = 0.0, .beta2 = 0.0, .scaling = Scaling::pair};
-  for (const double d : {1e-150, 1e-100, 1e100, 1e150}) {
-    BOOST_TEST(forces(constant, Open{}, pair_at(d)).force(0, 0) == 0.75, tolerance(4.0 * eps));
-    BOOST_TEST(forces(constant, Doubled{}, pair_at(d)).force(0, 0) == 0.75, tolerance(4.0 * eps));
-  }
-  for (const double d : {1e-300, 1e-158, 1e160, 1e300}) {
-    BOOST_TEST(!forces(constant, Open{}, pair_at(d)).has_value);
-    BOOST_TEST(!forces(constant, Doubled{}, pair_at(d)).has_value);
+  for (const Kernel kernel : kernels()) {
+    const NearField constant{
+        .alpha1 = 1.0, .alpha2 = 0.25, .beta1 = 0.0, .beta2 = 0.0, .scaling = Scaling::pair, .kernel = kernel};
+    Cloud row = cloud_of(12);
+    const auto row_at = [&](double d) -> const Cloud& {
+      row.position.setZero();
+      row.position.col(0) = d * Eigen::VectorXd::LinSpaced(12, 0.0, 11.0);
+      return row;
+    };
+    for (const double d : {1e-150, 1e-100, 1e100, 1e150}) {
+      BOOST_TEST(forces(constant, Open{}, pair_at(d)).force(0, 0) == 0.75, tolerance(4.0 * eps));
+      BOOST_TEST(forces(constant, Doubled{}, pair_at(d)).force(0, 0) == 0.75, tolerance(4.0 * eps));
+      const Added added = forces(constant, Open{}, row_at(d));
+      BOOST_TEST(added.has_value);
+      for (Eigen::Index i = 0; i < 12; ++i) {
+        BOOST_TEST(std::abs(added.force(i, 0) - 0.75 * static_cast<double>(11 - 2 * i)) <= 40.0 * eps);
+      }
+    }
+    for (const double d : {1e-300, 1e-158, 1e160, 1e300}) {
+      BOOST_TEST(!forces(constant, Open{}, pair_at(d)).has_value);
+      BOOST_TEST(!forces(constant, Doubled{}, pair_at(d)).has_value);
+      BOOST_TEST(!forces(constant, Open{}, row_at(d)).has_value);
+    }
   }
 }
 
 BOOST_AUTO_TEST_CASE(keeps_its_bits_under_powers_of_two) {
-  const Cloud cloud = cloud_of(140);
-  Cloud big = cloud;
-  big.position *= 8.0;
-  const NearField law = with_exponents({2.0, 3.0});
-  NearField scaled = law;
-  scaled.alpha1 *= 64.0;
-  scaled.alpha2 *= 512.0;
-  BOOST_TEST(close(forces(scaled, Open{}, big).force, forces(law, Open{}, cloud).force, {}));
+  for (const Eigen::Index N : {6, 140}) {
+    const Cloud cloud = cloud_of(N);
+    Cloud big = cloud;
+    big.position *= 8.0;
+    for (const Kernel kernel : kernels()) {
+      const NearField law = with_kernel(kernel, with_exponents({2.0, 3.0}));
+      NearField scaled = law;
+      scaled.alpha1 *= 64.0;
+      scaled.alpha2 *= 512.0;
+      BOOST_TEST(close(forces(scaled, Open{}, big).force, forces(law, Open{}, cloud).force, {}));
+    }
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -133,7 +133,8 @@ const Case near_field_pairs{
      .reference = Reference::independent_method},
     [](Rows& rows) {
       using contact::Scaling;
-      // 129 and 257 end one particle beyond the runs of 128 in which the library takes its pairs.
+      // The library takes a few particles pair by pair, more in vectors of up to 8: full ones, and with 1 or 2 left
+      // over.
       for (const Eigen::Index N : {2, 3, 128, 129, 130, 257}) {
         compare(rows, {.alpha1 = 0.5, .alpha2 = 0.25, .beta1 = 1.0, .beta2 = 2.0}, N, "mass");
       }

@@ -3,78 +3,122 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
+
+#include <particulate/contact/detail/near_field_kernels.hpp>
 
 namespace particulate::contact {
 
 namespace {
 
-// Particles j are taken in runs that fit the first-level cache together with all their intermediate powers.
-constexpr Eigen::Index run_length = 128;
-using Run = std::array<double, run_length>;
-
-// out = x^exponent entry by entry, by multiplication where the exponent is whole, in the order kinematics::power uses.
-void powers(const Run& x, Eigen::Index n, double exponent, Run& out) {
-  constexpr double largest = 64.0;
-  if (exponent > largest || exponent != std::floor(exponent)) {
-    for (Eigen::Index k = 0; k < n; ++k) out[k] = std::pow(x[k], exponent);
-    return;
+// What __builtin_cpu_supports() knows includes whether the operating system saves the registers.
+bool processor_has(Kernel kernel) {
+#ifdef __x86_64__
+  if (kernel == Kernel::avx2) return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+  if (kernel == Kernel::avx512) {
+    return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+           __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("fma");
   }
-  Run base;
-  std::copy_n(x.begin(), n, base.begin());
-  std::fill_n(out.begin(), n, 1.0);
-  for (int left = static_cast<int>(exponent); left > 0; left /= 2) {
-    if (left % 2 == 1) {
-      for (Eigen::Index k = 0; k < n; ++k) out[k] *= base[k];
-    }
-    if (left > 1) {
-      for (Eigen::Index k = 0; k < n; ++k) base[k] *= base[k];
-    }
-  }
+#endif
+  return kernel == Kernel::baseline;
 }
 
-struct Columns {
-  const double *x, *y, *z, *charge;
-  double *fx, *fy, *fz;
+// Null where this build has no such code.
+detail::AddPairs built(Kernel kernel) {
+  switch (kernel) {
+    case Kernel::best:
+      break;
+    case Kernel::baseline:
+      return detail::add_pairs_baseline;
+    case Kernel::avx2:
+      return detail::add_pairs_avx2;
+    case Kernel::avx512:
+      return detail::add_pairs_avx512;
+  }
+  return nullptr;
+}
+
+std::string refusal(Kernel kernel) {
+  std::string available;
+  for (const Kernel each : {Kernel::baseline, Kernel::avx2, Kernel::avx512}) {
+    if (is_available(each)) available.append(available.empty() ? "" : ", ").append(name(each));
+  }
+  return fmt::format(
+      "near field: kernel must be best or one that this build has for this processor ({}), got {}; "
+      "take best",
+      available, name(kernel));
+}
+
+// Columns of one thread, kept from one call to the next: each begins on a cache line and is padded with zeros.
+class Scratch {
+ public:
+  detail::Columns filled(const double* position, const double* charge, Eigen::Index N) {
+    const auto lines = static_cast<std::size_t>((N + detail::padded_to - 1) / detail::padded_to);
+    lines_.assign(10 * lines, Line{});
+    const auto column = [&](std::size_t k) { return lines_[k * lines].number.data(); };
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      std::copy_n(position + static_cast<Eigen::Index>(axis) * N, N, column(axis));
+    }
+    std::copy_n(charge, N, column(3));
+    return {.x = column(0),
+            .y = column(1),
+            .z = column(2),
+            .charge = column(3),
+            .action_x = column(4),
+            .action_y = column(5),
+            .action_z = column(6),
+            .reaction_x = column(7),
+            .reaction_y = column(8),
+            .reaction_z = column(9)};
+  }
+
+ private:
+  struct alignas(64) Line {
+    std::array<double, detail::padded_to> number{};
+  };
+  std::vector<Line> lines_;
 };
 
-// Forces between particle i and the n particles from j on; false if a distance to one of them has no full square.
-bool add_run(const NearField& law, const Columns& c, Eigen::Index i, Eigen::Index j, Eigen::Index n) {
-  Run dx, dy, dz, inverse, attraction, repulsion;
-  double nearest = std::numeric_limits<double>::infinity(), farthest = 0.0;
-#pragma omp simd reduction(min : nearest) reduction(max : farthest)
-  for (Eigen::Index k = 0; k < n; ++k) {
-    dx[k] = c.x[j + k] - c.x[i];
-    dy[k] = c.y[j + k] - c.y[i];
-    dz[k] = c.z[j + k] - c.z[i];
-    const double square = dx[k] * dx[k] + dy[k] * dy[k] + dz[k] * dz[k];
-    nearest = std::min(nearest, square);
-    farthest = std::max(farthest, square);
-    inverse[k] = 1.0 / std::sqrt(square);
+// Adds one component of the forces; false if one of them is not finite, which is what times zero is not zero.
+bool add_component(const double* action, const double* reaction, Eigen::Index N, double* force) {
+  double zero = 0.0;
+#pragma omp simd reduction(+ : zero)
+  for (Eigen::Index i = 0; i < N; ++i) {
+    force[i] += action[i] + reaction[i];
+    zero += 0.0 * force[i];
   }
-  if (!(is_full(nearest) && is_full(farthest))) return false;
-  powers(inverse, n, law.beta1, attraction);
-  powers(inverse, n, law.beta2, repulsion);
-
-  const double alpha1 = law.alpha1 * c.charge[i];
-  const double alpha2 = law.alpha2 * c.charge[i];
-  double fx = 0.0, fy = 0.0, fz = 0.0;
-#pragma omp simd reduction(+ : fx, fy, fz)
-  for (Eigen::Index k = 0; k < n; ++k) {
-    const double over_d = (alpha1 * attraction[k] - alpha2 * repulsion[k]) * (c.charge[j + k] * inverse[k]);
-    const double x = over_d * dx[k], y = over_d * dy[k], z = over_d * dz[k];
-    fx += x, fy += y, fz += z;
-    c.fx[j + k] -= x, c.fy[j + k] -= y, c.fz[j + k] -= z;
-  }
-  c.fx[i] += fx, c.fy[i] += fy, c.fz[i] += fz;
-  return true;
+  return zero == 0.0;
 }
 
 }  // namespace
+
+std::string_view name(Kernel kernel) {
+  switch (kernel) {
+    case Kernel::best:
+      return "best";
+    case Kernel::baseline:
+      return "baseline";
+    case Kernel::avx2:
+      return "avx2";
+    case Kernel::avx512:
+      return "avx512";
+  }
+  return "none";
+}
+
+bool is_available(Kernel kernel) {
+  return kernel == Kernel::best || (built(kernel) != nullptr && processor_has(kernel));
+}
+
+Kernel best_kernel() {
+  if (is_available(Kernel::avx512)) return Kernel::avx512;
+  return is_available(Kernel::avx2) ? Kernel::avx2 : Kernel::baseline;
+}
 
 void validate(const NearField& law) {
   validate(
@@ -86,6 +130,7 @@ void validate(const NearField& law) {
     throw std::invalid_argument(
         fmt::format("near field: scaling must be mass, area or pair, got number {}", static_cast<int>(law.scaling)));
   }
+  if (!is_available(law.kernel)) throw std::invalid_argument(refusal(law.kernel));
 }
 
 kinematics::CentralForce pair_law(const NearField& law, double charge_i, double charge_j) {
@@ -108,18 +153,23 @@ Eigen::VectorXd charges(const NearField& law, const Places& at) {
 }
 
 bool add_force(const NearField& law, const kinematics::Open&, const Places& at, Forces force) {
+  if (!is_available(law.kernel)) throw std::invalid_argument(refusal(law.kernel));
+  const detail::PairForce pair{.alpha1 = law.alpha1, .alpha2 = law.alpha2, .beta1 = law.beta1, .beta2 = law.beta2};
   const Eigen::Index N = at.mass.size();
   const Eigen::VectorXd other = law.scaling == Scaling::mass ? Eigen::VectorXd() : charges(law, at);
   const double* const charge = law.scaling == Scaling::mass ? at.mass.data() : other.data();  // masses are not copied
   const double* const r = at.position.data();
-  double* const f = force.data();
-  const Columns columns{.x = r, .y = r + N, .z = r + 2 * N, .charge = charge, .fx = f, .fy = f + N, .fz = f + 2 * N};
-  for (Eigen::Index i = 0; i < N; ++i) {
-    for (Eigen::Index j = i + 1; j < N; j += run_length) {
-      if (!add_run(law, columns, i, j, std::min(run_length, N - j))) return false;
-    }
+  double *const f_x = force.data(), *const f_y = f_x + N, *const f_z = f_y + N;
+  if (N <= detail::few) {
+    // By the baseline, so that a small scene has the same bits whatever the processor.
+    const detail::Columns in_place{r, r + N, r + 2 * N, charge, f_x, f_y, f_z, f_x, f_y, f_z};
+    return detail::add_pairs_baseline(pair, in_place, N) && force.allFinite();
   }
-  return force.allFinite();
+  const detail::AddPairs add_pairs = built(law.kernel == Kernel::best ? best_kernel() : law.kernel);
+  thread_local Scratch scratch;
+  const detail::Columns c = scratch.filled(r, charge, N);
+  return add_pairs(pair, c, N) && add_component(c.action_x, c.reaction_x, N, f_x) &&
+         add_component(c.action_y, c.reaction_y, N, f_y) && add_component(c.action_z, c.reaction_z, N, f_z);
 }
 
 }  // namespace particulate::contact

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <string_view>
 
 #include <particulate/contact/law.hpp>
 #include <particulate/kinematics/central_force.hpp>
@@ -14,6 +15,32 @@ enum class Scaling {
   area,  ///< \f$ \alpha_{ij} = \alpha\, a_i a_j \f$ with the surface \f$ a_i = 4\pi b_i^2 \f$: its footnote
   pair   ///< \f$ \alpha_{ij} = \alpha \f$: the same for every pair
 };
+
+/// The code that adds the forces of all pairs: one source, compiled for different sets of instructions. Each forms its
+/// sums in another order; one kernel gives the same bits every time.
+enum class Kernel {
+  best,      ///< the last of the following that this build has for this processor: best_kernel()
+  baseline,  ///< what every processor of the architecture understands
+  avx2,      ///< x86-64 with AVX2 and FMA: 4 pairs at once
+  avx512     ///< x86-64 with AVX-512 (F, DQ, VL): 8 pairs at once
+};
+
+/// The name of a kernel, as a stamp says it.
+///
+/// @param kernel  a kernel
+/// @return its name in the enumeration, "none" for what is no kernel
+std::string_view name(Kernel kernel);
+
+/// Whether a kernel can be run here.
+///
+/// @param kernel  a kernel
+/// @return true for best, and for what this build has and this processor understands
+bool is_available(Kernel kernel);
+
+/// What Kernel::best stands for here.
+///
+/// @return avx512, else avx2, else baseline, by what is available
+Kernel best_kernel();
 
 /// The monograph's near field: every particle attracts and repels every other along the line of centres.
 ///
@@ -28,9 +55,10 @@ struct NearField {
   double beta2 = 2.0;               ///< exponent of repulsion, >= 0 [-]
   double d_ref = 1.0;               ///< distance at which a pair's potential energy is zero, > 0 [m]
   Scaling scaling = Scaling::mass;  ///< what the strengths are counted per; units of the strengths follow it
+  Kernel kernel = Kernel::best;     ///< what adds the forces in unbounded space and between walls
 };
 
-/// Refuses constants that are no near field. Called once, where a law enters a scene.
+/// Refuses constants that are no near field, and a kernel that is not there. Called once, where a law enters a scene.
 ///
 /// @param law  the constants
 /// @throws std::invalid_argument naming the constant, what must hold and what was given
@@ -63,13 +91,18 @@ inline bool is_full(double square) {
 /// Adds the near-field forces over all pairs in unbounded space.
 ///
 /// @equation{M 2.3} One pass over the pairs j > i with both forces from one evaluation, so that the total force
-/// vanishes to rounding. Runs of particles are processed component by component in vector registers; whole-number
-/// exponents up to 64 are formed by multiplication, others by std::pow. Cost N (N - 1)/2 pairs.
+/// vanishes to rounding. Cost N (N - 1)/2 pairs. The law's kernel takes 2, 4 or 8 of them at once in vector registers;
+/// up to ten particles are taken pair by pair, with the same bits whatever the kernel. Exponents (1, 2) and (2, 3) have
+/// code of their own, other whole numbers up to 64 are formed by multiplication, any others by std::pow, entry by
+/// entry. The inverse distance is a rounded square root and a rounded division; avx512 refines the processor's estimate
+/// instead, and errs less. More than ten particles are copied into padded columns that each thread keeps for the next
+/// call, 80 bytes a particle.
 /// @param law    constants that validate() accepts
 /// @param at     the particles
 /// @param force  receives the forces, added to what it holds [N]
 /// @return false where two particles coincide, their squared distance is none (is_full()) or a force is too large for a
 ///         double; the forces are then meaningless
+/// @throws std::invalid_argument if the law's kernel is not available
 bool add_force(const NearField& law, const kinematics::Open&, const Places& at, Forces force);
 
 /// The same between walls, which the near field does not feel.

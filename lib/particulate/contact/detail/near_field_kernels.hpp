@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+
+// What the near field's kernels are given. They are compiled from one source, near_field_pairs.hpp, some of them with
+// instructions that not every processor has. So neither header includes anything that could leave a shared inline
+// function behind: the linker would keep one copy of it for the whole program, perhaps the one with those instructions.
+
+namespace particulate::contact::detail {
+
+// Strengths and exponents of attraction and repulsion, before charges.
+struct PairForce {
+  double alpha1, alpha2, beta1, beta2;
+};
+
+// Places and charges of N particles, and where their forces go: a particle's action is the force that the particles
+// behind it exert on it, its reactions are those to what the particles in front of it feel. They may be one column.
+struct Columns {
+  const double *x, *y, *z, *charge;
+  double *action_x, *action_y, *action_z;
+  double *reaction_x, *reaction_y, *reaction_z;
+};
+
+// Up to so many particles are taken pair by pair. The columns of more are read and written to the next multiple of
+// the second number, the longest vector register of any kernel: they must be padded with finite numbers.
+constexpr std::int64_t few = 10;
+constexpr std::int64_t padded_to = 8;
+
+// Adds the forces of all pairs; false if a distance between two particles has no square that a double holds to full
+// precision.
+using AddPairs = bool (*)(const PairForce &law, const Columns &columns, std::int64_t N);
+
+// One for each set of instructions; null where this build has no such code.
+extern const AddPairs add_pairs_baseline;
+extern const AddPairs add_pairs_avx2;
+extern const AddPairs add_pairs_avx512;
+
+}  // namespace particulate::contact::detail
