@@ -28,6 +28,7 @@ struct Able {
     return true;
   }
   void jacobian(double t, schemes::In y, Eigen::MatrixXd& J) { J = -t * Eigen::MatrixXd::Identity(y.size(), y.size()); }
+  schemes::Bandwidth bandwidth() const { return {.lower = 0, .upper = 1}; }
   double distance(schemes::In x, schemes::In y) const { return (x - y).norm(); }
   schemes::Jump jump(schemes::Motion&, double) { return {.impacts = 5, .energy_change = 0.0, .unsettled = {}}; }
   template <class Path>
@@ -41,6 +42,7 @@ struct ByPosition {
     a = -2.0 * r;
     return true;
   }
+  void jacobian(double, schemes::In r, Eigen::MatrixXd& K) { K = -2.0 * Eigen::MatrixXd::Identity(r.size(), r.size()); }
 };
 struct ByMotion {
   bool acceleration(double, schemes::In r, schemes::In v, schemes::Out a) {
@@ -103,6 +105,10 @@ BOOST_AUTO_TEST_CASE(serves_second_order_problems_too) {
   Replayed<ByPosition> from_positions(by_position, positions.recording);
   BOOST_TEST(from_positions.acceleration(0.0, 5.0 * one, a));
   BOOST_TEST((a == -2.0 * one));
+  Eigen::MatrixXd K;
+  positions.jacobian(0.0, one, K);
+  Replayed<ByPosition>(by_position, positions.recording).jacobian(0.0, 5.0 * one, K);
+  BOOST_TEST(K(1, 1) == -2.0);
 
   ByMotion by_motion;
   Recorded<ByMotion> motions{by_motion};
@@ -117,13 +123,16 @@ BOOST_AUTO_TEST_CASE(has_the_abilities_of_its_problem_and_no_others) {
   static_assert(schemes::FirstOrderProblem<Replayed<Able>> && schemes::FirstOrderProblem<Recorded<Able>>);
   static_assert(schemes::Splits<Replayed<Able>> && schemes::Splits<Recorded<Able>>);
   static_assert(schemes::HasJacobian<Replayed<Able>> && schemes::HasJacobian<Recorded<Able>>);
+  static_assert(schemes::Banded<Replayed<Able>> && schemes::Banded<Recorded<Able>>);
   static_assert(schemes::Measures<Replayed<Able>> && schemes::Measures<Recorded<Able>>);
   static_assert(schemes::LocatesJumps<Replayed<Able>, decltype(path)>);
   static_assert(schemes::LocatesJumps<Recorded<Able>, decltype(path)>);
   static_assert(schemes::PositionProblem<Replayed<ByPosition>> && !schemes::MotionProblem<Replayed<ByPosition>>);
   static_assert(schemes::MotionProblem<Recorded<ByMotion>> && !schemes::PositionProblem<Recorded<ByMotion>>);
   static_assert(!schemes::Measures<Replayed<ByPosition>> && !schemes::Jumps<Recorded<ByPosition>>);
-  static_assert(!schemes::HasJacobian<Recorded<ByPosition>> && !schemes::Splits<Replayed<ByPosition>>);
+  static_assert(schemes::HasJacobian<Recorded<ByPosition>> && schemes::HasJacobian<Replayed<ByPosition>>);
+  static_assert(!schemes::HasJacobian<Recorded<ByMotion>> && !schemes::Splits<Replayed<ByPosition>>);
+  static_assert(!schemes::Banded<Replayed<ByPosition>>);
 
   Able problem;
   Recorded<Able> recorded{problem};
@@ -132,6 +141,8 @@ BOOST_AUTO_TEST_CASE(has_the_abilities_of_its_problem_and_no_others) {
   Replayed<Able> replayed(problem, recorded.recording);
   replayed.jacobian(8.0, one, J);
   BOOST_TEST(J(1, 1) == -3.0);
+  BOOST_TEST(recorded.bandwidth().upper == 1);
+  BOOST_TEST(replayed.bandwidth().upper == 1);
   schemes::Motion at;
   BOOST_TEST(replayed.jump(at, 0.1).impacts == 5);
   BOOST_TEST(replayed.first_jump(path, 1.0).value() == 0.5);

@@ -2,13 +2,18 @@
 
 #include <optional>
 
+#include <Eigen/SparseCore>
+
 #include "close.hpp"
 
+using particulate::schemes::Banded;
+using particulate::schemes::Bandwidth;
 using particulate::schemes::Counted;
 using particulate::schemes::distance;
 using particulate::schemes::FirstOrderForm;
 using particulate::schemes::FirstOrderProblem;
 using particulate::schemes::HasJacobian;
+using particulate::schemes::HasSparseJacobian;
 using particulate::schemes::In;
 using particulate::schemes::Jump;
 using particulate::schemes::Jumps;
@@ -28,6 +33,7 @@ using tests::close;
 namespace {
 
 using Path = double (*)(double, const Motion&);
+using Sparse = Eigen::SparseMatrix<double>;
 
 // Everything a first-order problem can offer; every answer is another number. No value before t = 0.
 struct EveryFirstOrderAbility {
@@ -44,6 +50,11 @@ struct EveryFirstOrderAbility {
     return t >= 0.0;
   }
   void jacobian(double t, In y, Eigen::MatrixXd& J) { J = t * y.asDiagonal().toDenseMatrix(); }
+  void sparse_jacobian(double t, In y, Sparse& J) {
+    J.resize(y.size(), y.size());
+    J.insert(0, 1) = t * y[1];
+  }
+  Bandwidth bandwidth() const { return {.lower = 4, .upper = 7}; }
   double distance(In x, In y) const { return 10.0 * (x - y).norm(); }
 };
 
@@ -53,6 +64,7 @@ struct EverySecondOrderAbility {
     a = -t * r;
     return t >= 0.0;
   }
+  void jacobian(double t, In r, Eigen::MatrixXd& K) { K = -t * r.asDiagonal().toDenseMatrix(); }
   double distance(In x, In y) const { return 20.0 * (x - y).norm(); }
   Jump jump(Motion& at, double dt) {
     at.v = -at.v;
@@ -99,11 +111,15 @@ static_assert(StaggeredProblem<Counted<Fields>, Values> && MeasuresFields<Counte
 static_assert(!StaggeredProblem<Counted<Damped>, Values> && !MeasuresFields<Counted<Damped>>);
 
 static_assert(FirstOrderProblem<Counted<EveryFirstOrderAbility>> && Splits<Counted<EveryFirstOrderAbility>> &&
-              HasJacobian<Counted<EveryFirstOrderAbility>> && Measures<Counted<EveryFirstOrderAbility>>);
-static_assert(PositionProblem<Counted<EverySecondOrderAbility>> && Measures<Counted<EverySecondOrderAbility>> &&
-              Jumps<Counted<EverySecondOrderAbility>> && LocatesJumps<Counted<EverySecondOrderAbility>, Path>);
+              HasJacobian<Counted<EveryFirstOrderAbility>> &&
+              HasSparseJacobian<Counted<EveryFirstOrderAbility>, Sparse> && Banded<Counted<EveryFirstOrderAbility>> &&
+              Measures<Counted<EveryFirstOrderAbility>>);
+static_assert(PositionProblem<Counted<EverySecondOrderAbility>> && HasJacobian<Counted<EverySecondOrderAbility>> &&
+              Measures<Counted<EverySecondOrderAbility>> && Jumps<Counted<EverySecondOrderAbility>> &&
+              LocatesJumps<Counted<EverySecondOrderAbility>, Path>);
 static_assert(MotionProblem<Counted<Damped>> && !PositionProblem<Counted<Damped>> && !Measures<Counted<Damped>> &&
-                  !Jumps<Counted<Damped>> && !HasJacobian<Counted<Damped>> && !Splits<Counted<Damped>> &&
+                  !Jumps<Counted<Damped>> && !HasJacobian<Counted<Damped>> &&
+                  !HasSparseJacobian<Counted<Damped>, Sparse> && !Banded<Counted<Damped>> && !Splits<Counted<Damped>> &&
                   !LocatesJumps<Counted<Damped>, Path> && !FirstOrderProblem<Counted<Damped>>,
               "a counter offers nothing that its problem lacks");
 static_assert(MotionProblem<Counted<Counted<Damped>>>);
@@ -160,7 +176,17 @@ BOOST_AUTO_TEST_CASE(counts_jacobians_apart) {
   counted.jacobian(2.0, x, J);
   BOOST_TEST(close(J, Eigen::Matrix2d{{6.0, 0.0}, {0.0, -8.0}}, {}));
   BOOST_TEST(counted.jacobians == 1);
+  Sparse sparse;
+  counted.sparse_jacobian(2.0, x, sparse);
+  BOOST_TEST(sparse.coeff(0, 1) == -8.0);
+  BOOST_TEST(counted.jacobians == 2);
   BOOST_TEST(counted.evaluations == 0);
+
+  EverySecondOrderAbility second;
+  Counted<EverySecondOrderAbility> of_second{second};
+  of_second.jacobian(2.0, x, J);
+  BOOST_TEST(close(J, Eigen::Matrix2d{{-6.0, 0.0}, {0.0, 8.0}}, {}));
+  BOOST_TEST(of_second.jacobians == 1);
 }
 
 BOOST_AUTO_TEST_CASE(counts_both_kinds_of_acceleration) {
@@ -193,6 +219,14 @@ BOOST_AUTO_TEST_CASE(passes_on_that_there_is_no_value_and_counts_it) {
   BOOST_TEST(of_first.evaluations == 3);
   BOOST_TEST(of_second.evaluations == 1);
   BOOST_TEST(of_motion.evaluations == 1);
+}
+
+BOOST_AUTO_TEST_CASE(forwards_the_bandwidth_without_counting_it) {
+  EveryFirstOrderAbility problem;
+  const Counted<EveryFirstOrderAbility> counted{problem};
+  BOOST_TEST(counted.bandwidth().lower == 4);
+  BOOST_TEST(counted.bandwidth().upper == 7);
+  BOOST_TEST(counted.evaluations == 0);
 }
 
 BOOST_AUTO_TEST_CASE(forwards_distance_and_jumps_without_counting_them) {

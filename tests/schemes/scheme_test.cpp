@@ -101,7 +101,7 @@ BOOST_AUTO_TEST_SUITE(Attempt_)
 
 BOOST_AUTO_TEST_CASE(has_no_truncation_error_unless_the_scheme_gives_one) {
   const particulate::schemes::Attempt attempt{.dt = 0.1, .iteration = {}};
-  BOOST_TEST(std::isnan(attempt.truncation));
+  BOOST_TEST(std::isnan(attempt.truncation.error));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

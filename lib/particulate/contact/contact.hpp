@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <concepts>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -39,6 +40,17 @@ struct Contact {
 inline void validate(const Frictionless&) {}
 /// @endcond
 
+/// Refuses a resolution that is none.
+///
+/// @param resolution  of simultaneous contacts
+/// @throws std::invalid_argument saying what must hold and what was given
+inline void validate(Resolution resolution) {
+  if (resolution != Resolution::summed && resolution != Resolution::sequential) {
+    throw std::invalid_argument(
+        fmt::format("contact: resolution must be summed or sequential, got number {}", static_cast<int>(resolution)));
+  }
+}
+
 /// Refuses a contact law that is none. Called once, where a law enters a scene.
 ///
 /// @param law  the law
@@ -50,10 +62,7 @@ void validate(const Contact<R, F>& law) {
   if (!(law.gamma > 0.0 && law.gamma < 1.0)) {
     throw std::invalid_argument(fmt::format("contact: gamma must lie between 0 and 1, got {}", law.gamma));
   }
-  if (law.resolution != Resolution::summed && law.resolution != Resolution::sequential) {
-    throw std::invalid_argument(fmt::format("contact: resolution must be summed or sequential, got number {}",
-                                            static_cast<int>(law.resolution)));
-  }
+  validate(law.resolution);
 }
 
 /// Potential energy of a contact: none, as nothing is felt of it between impacts. So a scene with contacts has the
@@ -73,13 +82,20 @@ struct Touching {
   bool directed = true;         ///< false: two centres coincide, so the direction of their contact is not finite
 };
 
+/// Exact touching: what does not overlap is apart.
+struct Exactly {
+  /// @return zero: no gap counts as closed [m]
+  double operator()(const Moving&, Eigen::Index, Eigen::Index) const { return 0.0; }
+};
+
 /// Finds the spheres that touch each other or a wall. Two bodies of which neither can move do not count.
 ///
-/// @param domain  forms the separations, and has the walls if there are any
-/// @param at      the particles
+/// @param domain     forms the separations, and has the walls if there are any
+/// @param at         the particles
+/// @param tolerance  `tolerance(at, i, j)`: how wide a gap counts as closed; j is negative for a wall [m]
 /// @return contacts without their accelerations
-template <kinematics::Domain D>
-Touching find_touching(const D& domain, const Moving& at) {
+template <kinematics::Domain D, class Tolerance = Exactly>
+Touching find_touching(const D& domain, const Moving& at, const Tolerance& tolerance = {}) {
   Touching found;
   const auto add = [&](Eigen::Index i, Eigen::Index j, double depth, const Eigen::Vector3d& n) {
     found.directed = found.directed && n.allFinite();
@@ -93,17 +109,26 @@ Touching find_touching(const D& domain, const Moving& at) {
       if (!moves && !(at.inverse_mass[j] > 0.0)) continue;
       const Eigen::Vector3d towards = separation(domain, here, at.position.row(j));
       const double d = towards.norm(), reach = at.radius[i] + at.radius[j];
-      if (d <= reach) add(i, j, reach - d, towards / d);
+      if (d - reach <= tolerance(at, i, j)) add(i, j, reach - d, towards / d);
     }
     if constexpr (kinematics::HasWalls<D>) {
       if (!moves) continue;
       for (const kinematics::Wall& wall : walls(domain)) {
         const double gap = kinematics::height_above(wall, here) - at.radius[i];
-        if (gap <= 0.0) add(i, -1, -gap, -wall.normal);
+        if (gap <= tolerance(at, i, -1)) add(i, -1, -gap, -wall.normal);
       }
     }
   }
   return found;
+}
+
+/// @param touch     a contact
+/// @param velocity  of all particles, N x 3 [m/s]
+/// @return the speed at which its two bodies approach; negative: they part [m/s]
+inline double approach_speed(const Touch& touch, const kinematics::VectorsIn& velocity) {
+  Eigen::Vector3d approach = velocity.row(touch.i);
+  if (touch.j >= 0) approach -= velocity.row(touch.j).transpose();
+  return approach.dot(touch.n);
 }
 
 /// Whether any contact of a moment must be looked at.
@@ -113,9 +138,7 @@ Touching find_touching(const D& domain, const Moving& at) {
 /// @return true if a pair approaches, or has no direction
 inline bool any_approach(const Touching& touching, const Moving& at) {
   return !touching.directed || std::any_of(touching.contacts.begin(), touching.contacts.end(), [&](const Touch& touch) {
-    Eigen::Vector3d approach = at.velocity.row(touch.i);
-    if (touch.j >= 0) approach -= at.velocity.row(touch.j).transpose();
-    return approach.dot(touch.n) > 0.0;
+    return approach_speed(touch, at.velocity) > 0.0;
   });
 }
 
@@ -132,6 +155,31 @@ inline std::string without_direction(const Touching& touching) {
       lost->i, lost->j);
 }
 
+/// Resolves the contacts of a moment, each of which has a direction.
+///
+/// @param law       restitution, friction and resolution
+/// @param duration  of the impacts [s]
+/// @param at        the particles
+/// @param touching  what find_touching() found; receives the accelerations
+/// @param force     all other forces on the particles, 3 N numbers, column by column [N]
+/// @param velocity  a copy of the velocities, changed in place, 3 N numbers [m/s]
+/// @return impacts, change of kinetic energy, overlap, and what could not be settled
+template <class L>
+schemes::Jump exchange_impulses(const L& law, double duration, const Moving& at, Touching& touching, schemes::In force,
+                                schemes::Out velocity) {
+  const Eigen::Index N = at.mass.size();
+  const Eigen::Map<const kinematics::Vectors> f(force.data(), N, 3);
+  Forces v(velocity.data(), N, 3);
+  for (Touch& touch : touching.contacts) {
+    touch.acceleration = at.inverse_mass[touch.i] * f.row(touch.i).transpose();
+    if (touch.j >= 0) touch.acceleration -= at.inverse_mass[touch.j] * f.row(touch.j).transpose();
+  }
+  const ContactResolver resolver{law.restitution, law.friction, law.resolution};
+  const Resolved done = resolver(touching.contacts, at.inverse_mass, duration, v);
+  const double change = 0.5 * at.mass.dot(v.rowwise().squaredNorm() - at.velocity.rowwise().squaredNorm());
+  return {.impacts = done.impacts, .energy_change = change, .overlap = touching.overlap, .unsettled = done.unsettled};
+}
+
 /// Resolves the contacts of a moment: the jump of a scene with this law.
 ///
 /// @equation{R 2.2}
@@ -145,18 +193,8 @@ inline std::string without_direction(const Touching& touching) {
 template <class R, class F>
 schemes::Jump resolve_impacts(const Contact<R, F>& law, const Moving& at, Touching touching, schemes::In force,
                               double dt, schemes::Out velocity) {
-  const Eigen::Index N = at.mass.size();
   if (!touching.directed) return {.overlap = touching.overlap, .unsettled = without_direction(touching)};
-  const Eigen::Map<const kinematics::Vectors> f(force.data(), N, 3);
-  Forces v(velocity.data(), N, 3);
-  for (Touch& touch : touching.contacts) {
-    touch.acceleration = at.inverse_mass[touch.i] * f.row(touch.i).transpose();
-    if (touch.j >= 0) touch.acceleration -= at.inverse_mass[touch.j] * f.row(touch.j).transpose();
-  }
-  const ContactResolver<R, F> resolver{law.restitution, law.friction, law.resolution};
-  const Resolved done = resolver(touching.contacts, at.inverse_mass, law.gamma * dt, v);
-  const double change = 0.5 * at.mass.dot(v.rowwise().squaredNorm() - at.velocity.rowwise().squaredNorm());
-  return {.impacts = done.impacts, .energy_change = change, .overlap = touching.overlap, .unsettled = done.unsettled};
+  return exchange_impulses(law, law.gamma * dt, at, touching, force, velocity);
 }
 
 /// A law that resolves impacts: `resolve_impacts(law, moving, touching, force, dt, velocity)`.
@@ -165,5 +203,20 @@ concept Impacts = requires(const L& law, const Moving& at, Touching touching, sc
                            schemes::Out velocity) {
   { resolve_impacts(law, at, touching, force, dt, velocity) } -> std::same_as<schemes::Jump>;
 };
+
+/// A law that locates its impacts: `first_impact(law, domain, radius, inverse_mass, path, end)`.
+template <class L, class D, class Path>
+concept LocatesImpacts = Impacts<L> &&
+    requires(const L& law, const D& domain, const Eigen::VectorXd& x, const Path& path, double end) {
+  { first_impact(law, domain, x, x, path, end) } -> std::same_as<std::optional<double>>;
+};
+
+/// What counts as touching to a law that resolves impacts: `touching_tolerance(law)`, exact touching by default.
+///
+/// @return a tolerance for find_touching()
+template <class L>
+Exactly touching_tolerance(const L&) {
+  return {};
+}
 
 }  // namespace particulate::contact

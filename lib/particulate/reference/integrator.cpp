@@ -212,7 +212,8 @@ struct Integrator::Machinery {
     Eigen::VectorXd here(callback.residue.size());
     callback.events.functions(t, y, here);
     callback.residue = (here.array().abs() <= callback.residue.array()).select(callback.residue, 0.0);
-    for (const Hit& hit : hits) {
+    for (Hit& hit : hits) {
+      hit.t = t;
       const auto k = static_cast<Eigen::Index>(hit.event);
       callback.residue[k] = 2.0 * std::abs(here[k]);
     }
@@ -221,10 +222,7 @@ struct Integrator::Machinery {
 
   std::string what_happened() const {
     std::string all;
-    for (const Hit& hit : hits) {
-      all += fmt::format("{}event {} {}", all.empty() ? "" : ", ", hit.event,
-                         hit.crossing == Direction::falling ? "falling" : "rising");
-    }
+    for (const Hit& hit : hits) all += (all.empty() ? "" : ", ") + describe(callback.events, hit);
     return all;
   }
 

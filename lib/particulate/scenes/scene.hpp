@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <stdexcept>
 #include <tuple>
 #include <utility>
@@ -20,6 +21,12 @@ namespace detail {
 template <class L, class D>
 double energy_of(const L& law, const D& domain, const contact::Places& at) {
   return potential_energy(law, domain, at);
+}
+
+template <class L>
+auto tolerance_of(const L& law) {
+  using contact::touching_tolerance;
+  return touching_tolerance(law);
 }
 
 // A vector of another length would be read beyond its end.
@@ -121,25 +128,31 @@ class Scene {
   /// @param dt     the step that ends there [s]
   /// @return impacts, change of kinetic energy, overlap; unsettled if a direction or a force is missing
   schemes::Jump jump(schemes::Motion& state, double dt) const requires has_impacts {
-    const contact::Moving here = moving(state.t, state.r, state.v);
-    contact::Touching touching = contact::find_touching(domain_, here);
-    if (!contact::any_approach(touching, here)) return {.overlap = touching.overlap, .unsettled = {}};
-    Eigen::VectorXd others(state.r.size());
-    if (!total_force(state, others)) {
-      return {
-          .overlap = touching.overlap, .evaluations = 1, .unsettled = "the forces have no value where bodies touch"};
-    }
-    Eigen::VectorXd after = state.v;
     schemes::Jump jump;
     const auto resolve = [&](const auto& law) {
-      if constexpr (contact::Impacts<std::decay_t<decltype(law)>>) {
-        jump = resolve_impacts(law, here, std::move(touching), others, dt, after);
-      }
+      if constexpr (contact::Impacts<std::decay_t<decltype(law)>>) jump = jump_by(law, state, dt);
     };
     std::apply([&](const auto&... law) { (resolve(law), ...); }, laws_);
-    jump.evaluations = 1;
-    state.v = after;
     return jump;
+  }
+
+  /// The first place of a step at which bodies touch; only a scene with located contacts offers it.
+  /// @see schemes::LocatesJumps
+  ///
+  /// @param path  the step
+  /// @param end   how far to look [-]
+  /// @return its place, in (0, end]; none if there is none
+  template <schemes::SampledPath<schemes::Motion> Path>
+  std::optional<double> first_jump(const Path& path, double end) const
+      requires(contact::LocatesImpacts<Laws, D, Path> || ...) {
+    std::optional<double> first;
+    const auto locate = [&](const auto& law) {
+      if constexpr (contact::LocatesImpacts<std::decay_t<decltype(law)>, D, Path>) {
+        first = first_impact(law, domain_, particles_.radius, inverse_mass_, path, end);
+      }
+    };
+    std::apply([&](const auto&... law) { (locate(law), ...); }, laws_);
+    return first;
   }
 
   /// The monograph's measure, the sum over particles of \f$ \|x_i - y_i\| \f$. @see schemes::Measures
@@ -151,6 +164,23 @@ class Scene {
 
  private:
   using Shaped = Eigen::Map<const kinematics::Vectors>;
+
+  template <class L>
+  schemes::Jump jump_by(const L& law, schemes::Motion& state, double dt) const {
+    const contact::Moving here = moving(state.t, state.r, state.v);
+    contact::Touching touching = contact::find_touching(domain_, here, detail::tolerance_of(law));
+    if (!contact::any_approach(touching, here)) return {.overlap = touching.overlap, .unsettled = {}};
+    Eigen::VectorXd others(state.r.size());
+    if (!total_force(state, others)) {
+      return {
+          .overlap = touching.overlap, .evaluations = 1, .unsettled = "the forces have no value where bodies touch"};
+    }
+    Eigen::VectorXd after = state.v;
+    schemes::Jump jump = resolve_impacts(law, here, std::move(touching), others, dt, after);
+    jump.evaluations = 1;
+    state.v = after;
+    return jump;
+  }
 
   template <class L>
   static void check(const L& law) {

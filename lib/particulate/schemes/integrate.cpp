@@ -59,4 +59,20 @@ std::string too_small(double t, double dt, const std::string& refusal) {
       t, dt);
 }
 
+std::string not_located(double t, double dt, double off) {
+  return fmt::format(
+      "from t = {} s on a jump or an event was seen in the step, but no shorter step ends there: solved anew, a step "
+      "of "
+      "{:.3g} s still moves by {:.3g} of itself; take smaller steps, or a smaller tolerance of the sweeps",
+      t, dt, off);
+}
+
+std::string accumulating(double t, long most) {
+  return fmt::format(
+      "{} jumps or events in a row passed no time: they accumulate at t = {} s, and no step gets beyond it; end the "
+      "run "
+      "before, or change the state there",
+      most, t);
+}
+
 }  // namespace particulate::schemes

@@ -2,6 +2,7 @@
 
 #include <concepts>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -56,10 +57,32 @@ concept MotionProblem = requires(P& p, double t, In r, In v, Out a) {
 template <class P>
 concept SecondOrderProblem = PositionProblem<P> || MotionProblem<P>;
 
-/// Ability: a Jacobian of the rate, `jacobian(t, y, J)` with J(i, j) = df_i/dy_j.
+/// Ability: a Jacobian of the rate, `jacobian(t, y, J)` with J(i, j) = df_i/dy_j; of a PositionProblem, that of the
+/// accelerations with respect to the positions, `jacobian(t, r, K)`.
 template <class P>
 concept HasJacobian = requires(P& p, double t, In y, Eigen::MatrixXd& J) {
   p.jacobian(t, y, J);
+};
+
+/// Ability: the same as a sparse matrix, `sparse_jacobian(t, y, J)`.
+///
+/// @tparam Sparse  Eigen::SparseMatrix<double>, which this header does not need to know
+template <class P, class Sparse>
+concept HasSparseJacobian = requires(P& p, double t, In y, Sparse& J) {
+  p.sparse_jacobian(t, y, J);
+};
+
+/// Diagonals of a banded matrix.
+struct Bandwidth {
+  Eigen::Index lower = 0;  ///< those below the main diagonal, >= 0 [-]
+  Eigen::Index upper = 0;  ///< those above it, >= 0 [-]
+};
+
+/// Ability: `bandwidth()`, the diagonals outside which the Jacobian is zero: difference quotients then take one
+/// right-hand side for each of them instead of one for each unknown.
+template <class P>
+concept Banded = requires(const P& p) {
+  { p.bandwidth() } -> std::same_as<Bandwidth>;
 };
 
 /// Ability: a rate in two parts, `rate_slow + rate_fast = rate`, for schemes that treat them apart.
@@ -82,6 +105,9 @@ struct Jump {
   double overlap = 0.0;        ///< deepest overlap of two bodies before it [m]
   long evaluations = 0;        ///< right-hand sides that it asked for [-]
   std::string unsettled;       ///< not empty: the jump could not be completed, and why
+  double accumulates =
+      std::numeric_limits<double>::quiet_NaN();  ///< where jumps follow one another ever faster: the
+                                                 ///< time that they do not get beyond; NaN: nowhere [s]
 };
 
 /// Ability: a state that may change at once, `jump(state, dt)`, called with the end of every accepted step of size dt.
@@ -90,8 +116,17 @@ concept Jumps = requires(P& p, Motion& at, double dt) {
   { p.jump(at, dt) } -> std::same_as<Jump>;
 };
 
-/// Ability: `first_jump(path, end)`, the first fraction in (0, end] of a step at which the state must jump, if any;
-/// `path(theta, state)` gives the state at a fraction theta of the step.
+/// A step as a path: `path(theta, there)` gives the state at a fraction theta of it, from 0 to a little beyond 1,
+/// `path.dt` its length [s], and `path.intervals` in how many parts it must be sampled. @see StepPath
+template <class Path, class State>
+concept SampledPath = requires(const Path& path, double theta, State& there) {
+  path(theta, there);
+  { path.dt } -> std::convertible_to<double>;
+  { path.intervals } -> std::convertible_to<int>;
+};
+
+/// Ability: `first_jump(path, end)`, the first fraction in (0, end] of a step at which the state must jump, if any; the
+/// path is a SampledPath. The end is 1, or a little more where a step that was shortened to a jump is looked at again.
 template <class P, class Path>
 concept LocatesJumps = Jumps<P> && requires(P& p, const Path& path, double end) {
   { p.first_jump(path, end) } -> std::same_as<std::optional<double>>;
@@ -186,6 +221,14 @@ struct Counted {
     ++jacobians;
     problem.jacobian(t, y, J);
   }
+  /// Counts and forwards. @see HasSparseJacobian
+  template <class Sparse>
+  void sparse_jacobian(double t, In y, Sparse& J) requires HasSparseJacobian<P, Sparse> {
+    ++jacobians;
+    problem.sparse_jacobian(t, y, J);
+  }
+  /// Forwards. @see Banded
+  Bandwidth bandwidth() const requires Banded<P> { return problem.bandwidth(); }
   /// Forwards. @see StaggeredProblem
   std::size_t fields() const requires requires { problem.fields(); }
   { return problem.fields(); }

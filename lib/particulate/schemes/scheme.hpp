@@ -55,18 +55,30 @@ concept Dense = requires(const S& s, const State& from, double dt, double theta,
   s.at(from, dt, theta, there);
 };
 
+/// What a scheme thinks of the error that one step left.
+struct Truncation {
+  double error = std::numeric_limits<double>::quiet_NaN();  ///< in the scheme's own measure; NaN: no estimate
+  int order = 0;                                            ///< the estimate falls with the power order + 1 of Dt [-]
+};
+
 /// One attempted step, as its controller sees it.
 struct Attempt {
-  double dt;                                                     ///< the step that was tried [s]
-  Iteration iteration;                                           ///< how its iteration went
-  double truncation = std::numeric_limits<double>::quiet_NaN();  ///< estimated; NaN: this scheme has no estimate
-  std::span<const Iteration> fields = {};                        ///< of every field, where several are staggered
+  double dt;                               ///< the step that was tried [s]
+  Iteration iteration;                     ///< how its iteration went
+  Truncation truncation = {};              ///< of the scheme, if it estimates any
+  std::span<const Iteration> fields = {};  ///< of every field, where several are staggered
 };
 
 /// Ability of a scheme: one Iteration for each of several fields, each in units of that field's tolerance.
 template <class S>
 concept Staggers = requires(const S& s) {
   { s.iterations() } -> std::convertible_to<std::span<const Iteration>>;
+};
+
+/// Ability of a scheme: `truncation(problem, from, dt, to)` estimates the error of the step just made.
+template <class S, class P, class State>
+concept EstimatesTruncation = requires(S& s, P& p, const State& from, double dt, const State& to) {
+  { s.truncation(p, from, dt, to) } -> std::same_as<Truncation>;
 };
 
 /// Why a run could not go on.
@@ -77,7 +89,10 @@ enum class Failure {
   slow,               ///< the sweeps contract, but do not meet the tolerance in as many as are allowed
   rounding,           ///< the tolerance asks for less than the rounding of the state
   time_stands_still,  ///< the step is too small to change the time
-  unsettled_jump      ///< a jump of the state could not be completed
+  inaccurate,         ///< the error of the step stays above the tolerance
+  unsettled_jump,     ///< a jump of the state could not be completed
+  not_located,        ///< a jump or an event is in a step, but no shorter step ends there
+  accumulating        ///< jumps or events follow one another ever faster, and never get beyond a time
 };
 
 /// What the controller made of an attempt.
@@ -103,7 +118,7 @@ concept Controller = std::copyable<C> && requires(C& c, const C& seen, const Ite
 /// How a run ended.
 enum class Status {
   reached,  ///< the end time was reached
-  stopped,  ///< the observer asked to stop
+  stopped,  ///< the observer asked to stop, or an event did
   failed    ///< it could not go on; the reason says why
 };
 
@@ -123,6 +138,8 @@ struct [[nodiscard]] Outcome {
   double contraction = 0.0;    ///< largest Iteration::rate seen above rounding [-]
   double overlap = 0.0;        ///< deepest overlap of two bodies at the end of any step [m]
   double energy_change = 0.0;  ///< of the kinetic energy by jumps [J]
+  double accumulation = std::numeric_limits<double>::quiet_NaN();  ///< after Failure::accumulating: the time that jumps
+                                                                   ///< or events do not get beyond [s]
 };
 
 }  // namespace particulate::schemes

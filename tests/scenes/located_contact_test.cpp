@@ -1,0 +1,235 @@
+#include <particulate/contact/located_contact.hpp>
+
+#include <cmath>
+#include <stdexcept>
+#include <vector>
+
+#include <particulate/scenes/gravity.hpp>
+#include <particulate/scenes/scene.hpp>
+#include <particulate/schemes/events.hpp>
+#include <particulate/schemes/fixed_step.hpp>
+#include <particulate/schemes/integrate.hpp>
+
+#include "close.hpp"
+#include "schemes/exact_fall.hpp"
+
+using boost::test_tools::tolerance;
+using particulate::contact::ConstantRestitution;
+using particulate::contact::Contact;
+using particulate::contact::LocatedContact;
+using particulate::kinematics::Open;
+using particulate::kinematics::Particles;
+using particulate::kinematics::Vectors;
+using particulate::kinematics::Wall;
+using particulate::kinematics::Walled;
+using particulate::scenes::Gravity;
+using particulate::scenes::Scene;
+using particulate::scenes::start;
+using particulate::schemes::Counted;
+using particulate::schemes::Direction;
+using particulate::schemes::Failure;
+using particulate::schemes::FixedStep;
+using particulate::schemes::In;
+using particulate::schemes::integrate;
+using particulate::schemes::LocatesJumps;
+using particulate::schemes::Motion;
+using particulate::schemes::Out;
+using particulate::schemes::Outcome;
+using particulate::schemes::Status;
+using particulate::schemes::StepPath;
+using particulate::schemes::Watch;
+using tests::close;
+using tests::ExactFall;
+using tests::says;
+
+namespace {
+
+using Path = StepPath<ExactFall, Motion>;
+using Bouncing = Scene<Walled, Gravity, LocatedContact<>>;
+static_assert(LocatesJumps<Bouncing, Path> && LocatesJumps<const Bouncing, Path> &&
+              LocatesJumps<Counted<Bouncing>, Path>);
+static_assert(!LocatesJumps<Scene<Walled, Gravity, Contact<>>, Path>, "stepped contacts are looked for after steps");
+
+const Walled ground{{Wall{}}};
+
+// Has no value below 1 m.
+struct Above {};
+bool add_force(const Above&, const Walled&, const particulate::contact::Places& at, particulate::contact::Forces) {
+  return (at.position.col(2).array() > 1.0).all();
+}
+
+Particles spheres(const Vectors& position, const Vectors& velocity, double radius) {
+  const Eigen::Index N = position.rows();
+  return {.position = position,
+          .velocity = velocity,
+          .mass = Eigen::VectorXd::Ones(N),
+          .radius = Eigen::VectorXd::Constant(N, radius)};
+}
+
+// Dropped from 0.4 m under 9.81 m/s^2.
+Bouncing dropped(double e) {
+  return {spheres(Vectors{{0.0, 0.0, 0.45}}, Vectors::Zero(1, 3), 0.05), ground, Gravity{},
+          LocatedContact<>{.restitution = {e}}};
+}
+const double fall = std::sqrt(0.8 / 9.81);
+
+template <class S>
+Vectors velocities(const S& scene, double t_end, double dt) {
+  Motion state = start(scene);
+  ExactFall scheme;
+  FixedStep control{.step = dt};
+  BOOST_TEST((integrate(scene, state, t_end, scheme, control).status == Status::reached));
+  return state.v.reshaped(state.v.size() / 3, 3);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(located_contact)
+
+BOOST_AUTO_TEST_CASE(is_checked_where_it_enters_a_scene) {
+  BOOST_CHECK_EXCEPTION(dropped(1.5), std::invalid_argument, says("e must lie in [0, 1], got 1.5"));
+}
+
+// Impact k at fall (1 + 2 (e + ... + e^k)), with e^k of the first speed; however long the steps are.
+BOOST_AUTO_TEST_CASE(meets_every_impact_of_a_bouncing_ball) {
+  constexpr double e = 0.8;
+  for (const double dt : {0.7, 0.1, 0.013}) {
+    const Bouncing scene = dropped(e);
+    Motion ball = start(scene);
+    ExactFall scheme{.blur = 0.5};
+    FixedStep control{.step = dt};
+    double t = fall, speed = 9.81 * fall;
+    int impacts = 0;
+    const auto observe = [&](const Motion&, const Motion& to, double, const ExactFall&) {
+      if (std::abs(to.r[2] - 0.05) > 1e-12) return true;
+      BOOST_TEST(to.t == t, tolerance(1e-13));
+      BOOST_TEST(to.v[2] == -speed, tolerance(1e-12));
+      speed *= e;
+      t += 2.0 * speed / 9.81;
+      ++impacts;
+      return true;
+    };
+    const Outcome outcome = integrate(scene, ball, 2.0, scheme, control, observe);
+    BOOST_TEST((outcome.status == Status::reached));
+    BOOST_TEST(impacts == 7);
+    BOOST_TEST(outcome.impacts == 7);
+    BOOST_TEST(scheme.forgotten >= 7);
+    BOOST_TEST(outcome.overlap < 1e-13);
+    BOOST_TEST(control.step == dt);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(ends_where_the_impacts_of_a_bouncing_ball_accumulate) {
+  for (const double e : {0.0, 0.5, 0.9}) {
+    const Bouncing scene = dropped(e);
+    Motion ball = start(scene);
+    ExactFall scheme;
+    FixedStep control{.step = 0.1};
+    const Outcome outcome = integrate(scene, ball, 100.0, scheme, control);
+    BOOST_TEST((outcome.status == Status::failed));
+    BOOST_TEST((outcome.failure == Failure::accumulating));
+    BOOST_TEST(outcome.accumulation == fall * (1.0 + e) / (1.0 - e), tolerance(1e-11));
+    BOOST_TEST(outcome.reason.find("particle 0 and a wall come to rest on each other") == 0U);
+    BOOST_TEST(outcome.t == ball.t);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(keeps_an_elastic_ball_bouncing) {
+  const Bouncing scene = dropped(1.0);
+  Motion ball = start(scene);
+  ExactFall scheme;
+  FixedStep control{.step = 0.1};
+  const Outcome outcome = integrate(scene, ball, 20.0 * fall, scheme, control);
+  BOOST_TEST(outcome.impacts == 10);
+  BOOST_TEST(std::abs(ball.r[2] - 0.45) < 1e-13);
+  BOOST_TEST(std::abs(ball.v[2]) < 1e-12);
+}
+
+// Both balls fall on the ground at once, and a third, dropped later, not: one step ends at two impacts.
+BOOST_AUTO_TEST_CASE(takes_impacts_of_one_time_together) {
+  const Scene scene(spheres(Vectors{{0.0, 0.0, 0.45}, {1.0, 0.0, 0.45}, {2.0, 0.0, 0.5}}, Vectors::Zero(3, 3), 0.05),
+                    ground, Gravity{}, LocatedContact{});
+  Motion balls = start(scene);
+  ExactFall scheme;
+  FixedStep control{.step = 1.0};
+  const Outcome outcome = integrate(scene, balls, 0.3, scheme, control);
+  BOOST_TEST(outcome.impacts == 2);
+  BOOST_TEST(outcome.steps == 2);
+}
+
+BOOST_AUTO_TEST_CASE(keeps_a_symmetric_hit_symmetric_whatever_the_numbering) {
+  const Vectors r{{-2.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, {2.0, 0.0, 0.0}};
+  const Vectors v{{0.3, 0.0, 0.0}, {0.0, 0.0, 0.0}, {-0.3, 0.0, 0.0}};
+  for (const std::vector<int>& order : {std::vector{0, 1, 2}, {2, 1, 0}, {1, 0, 2}}) {
+    const Scene scene(spheres(r(order, Eigen::all), v(order, Eigen::all), 0.5), Open{}, LocatedContact{});
+    BOOST_TEST(close(velocities(scene, 5.0, 1.0), -v(order, Eigen::all), {.absolute = 1e-15}));
+  }
+}
+
+// The hit is passed on to the last of the touching row, at the moment it comes.
+BOOST_AUTO_TEST_CASE(lets_a_cradle_swing) {
+  Vectors r = Vectors::Zero(4, 3), v = Vectors::Zero(4, 3);
+  r.col(0) << -1.0, 1.0, 2.0, 3.0;
+  v(0, 0) = 2.0;
+  const Scene scene(spheres(r, v, 0.5), Open{}, LocatedContact{});
+  Motion row = start(scene);
+  ExactFall scheme;
+  FixedStep control{.step = 3.0};
+  BOOST_TEST(integrate(scene, row, 2.0, scheme, control).impacts == 3);
+  BOOST_TEST(row.v[3] == 2.0);
+  BOOST_TEST(row.r[3] == 6.0, tolerance(1e-15));  // 1.5 s at 2 m/s
+  BOOST_TEST(row.r[0] == 0.0, tolerance(1e-15));
+}
+
+BOOST_AUTO_TEST_CASE(parts_bodies_that_start_touching_or_overlapped_and_approach) {
+  for (const double d : {1.0, 0.9}) {
+    const Scene scene(spheres(Vectors{{0.0, 0.0, 0.0}, {d, 0.0, 0.0}}, Vectors{{1.0, 0.0, 0.0}, {0.0, 0.0, 0.0}}, 0.5),
+                      Open{}, LocatedContact{});
+    BOOST_TEST(close(velocities(scene, 1.0, 0.25), Vectors{{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}}, {}));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(turns_at_what_is_immovable) {
+  Particles pair = spheres(Vectors{{0.0, 0.0, 0.0}, {3.0, 0.0, 0.0}}, Vectors{{0.0, 0.0, 0.0}, {-4.0, 0.0, 0.0}}, 0.5);
+  pair.immovable = {true, false};
+  const Scene scene(pair, Open{}, LocatedContact{.restitution = ConstantRestitution{0.5}});
+  BOOST_TEST(close(velocities(scene, 2.0, 0.3), Vectors{{0.0, 0.0, 0.0}, {2.0, 0.0, 0.0}}, {.relative = 1e-15}));
+}
+
+BOOST_AUTO_TEST_CASE(is_unsettled_where_forces_have_no_value) {
+  const Scene scene(spheres(Vectors{{0.0, 0.0, 1.2}}, Vectors{{0.0, 0.0, -1.0}}, 1.0), ground, Above{},
+                    LocatedContact{});
+  Motion ball = start(scene);
+  ExactFall scheme;
+  FixedStep control{.step = 0.5};
+  const Outcome outcome = integrate(scene, ball, 2.0, scheme, control);
+  BOOST_TEST((outcome.failure == Failure::unsettled_jump));
+  BOOST_TEST(outcome.reason == "the forces have no value where bodies touch");
+  BOOST_TEST(ball.t == 0.0);
+}
+
+// The top of each hop, and each impact, end a step.
+BOOST_AUTO_TEST_CASE(goes_with_events) {
+  const Bouncing scene = dropped(1.0);
+  Motion ball = start(scene);
+  ExactFall scheme;
+  FixedStep control{.step = 0.5};
+  Watch watch({.functions = [](double, In y, Out g) { g[0] = y[5]; },
+               .directions = {Direction::falling},
+               .actions = {particulate::schemes::Action::record}});
+  const Outcome outcome = integrate(scene, ball, 5.5 * fall, scheme, control, watch);
+  BOOST_TEST(outcome.impacts == 3);
+  BOOST_REQUIRE(watch.hits().size() == 2U);
+  BOOST_TEST(watch.hits()[0].t == 2.0 * fall, tolerance(1e-14));
+  BOOST_TEST(watch.hits()[1].t == 4.0 * fall, tolerance(1e-14));
+}
+
+BOOST_AUTO_TEST_CASE(does_nothing_without_particles) {
+  const Scene scene(spheres(Vectors(0, 3), Vectors(0, 3), 1.0), ground, Gravity{}, LocatedContact{});
+  Motion nobody = start(scene);
+  ExactFall scheme;
+  FixedStep control{.step = 0.5};
+  BOOST_TEST((integrate(scene, nobody, 2.0, scheme, control).status == Status::reached));
+}
+
+BOOST_AUTO_TEST_SUITE_END()

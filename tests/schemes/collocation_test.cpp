@@ -1,0 +1,274 @@
+#include <particulate/schemes/collocation.hpp>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <vector>
+
+#include <particulate/schemes/fixed_step.hpp>
+#include <particulate/schemes/integrate.hpp>
+#include <particulate/schemes/phi_family.hpp>
+
+#include "close.hpp"
+
+using particulate::schemes::BackwardEuler;
+using particulate::schemes::Collocation;
+using particulate::schemes::CollocationSettings;
+using particulate::schemes::Counted;
+using particulate::schemes::Dense;
+using particulate::schemes::EstimatesTruncation;
+using particulate::schemes::Failure;
+using particulate::schemes::FixedStep;
+using particulate::schemes::Gauss;
+using particulate::schemes::Guess;
+using particulate::schemes::In;
+using particulate::schemes::integrate;
+using particulate::schemes::Iteration;
+using particulate::schemes::Iterative;
+using particulate::schemes::Motion;
+using particulate::schemes::Newton;
+using particulate::schemes::Out;
+using particulate::schemes::Outcome;
+using particulate::schemes::Picard;
+using particulate::schemes::Radau;
+using particulate::schemes::Truncation;
+using particulate::schemes::validate;
+using particulate::schemes::Values;
+using tests::close;
+using tests::says;
+
+namespace {
+
+using Gauss3 = Collocation<Gauss<3>>;
+using Stiff = Collocation<Radau<3>, Newton<>>;
+
+// A spring under a force of its own, with the places where it was asked.
+struct Spring {
+  double stiffness = 1.0;
+  double push = 0.0;  // times t
+  std::vector<double> asked = {};
+
+  bool acceleration(double t, In r, Out a) {
+    asked.push_back(r[0]);
+    a = -stiffness * r.array() + push * t;
+    return true;
+  }
+};
+struct Decay {
+  double rate_of = 1.0;
+  bool rate(double, In y, Out dy) const {
+    dy = -rate_of * y;
+    return true;
+  }
+};
+
+static_assert(Iterative<Gauss3, Spring, Motion> && Dense<Gauss3, Motion> &&
+              EstimatesTruncation<Gauss3, Spring, Motion>);
+static_assert(Iterative<Stiff, Decay, Values> && Dense<Stiff, Values> && EstimatesTruncation<Stiff, Decay, Values>);
+
+Motion at(double r, double v) { return {0.0, Eigen::VectorXd::Constant(1, r), Eigen::VectorXd::Constant(1, v)}; }
+
+// One step, its sweeps to rounding, accepted.
+template <class S, class P, class State>
+State stepped(S& scheme, P& problem, const State& from, double dt) {
+  State to = from;
+  BOOST_REQUIRE(scheme.predict(problem, from, dt, to));
+  for (int k = 0; k < 60; ++k) scheme.sweep(problem, from, dt, to);
+  scheme.accept(dt);
+  return to;
+}
+
+// Right-hand sides asked for by the guess of a step.
+long asked_by_guess(Gauss3 scheme, const Motion& from, double dt) {
+  Spring problem;
+  Motion to;
+  BOOST_REQUIRE(scheme.predict(problem, from, dt, to));
+  return static_cast<long>(problem.asked.size());
+}
+
+template <class S, class P, class State>
+Truncation estimated(S scheme, P problem, const State& from, double dt) {
+  State to = from;
+  BOOST_REQUIRE(scheme.predict(problem, from, dt, to));
+  for (int k = 0; k < 60; ++k) scheme.sweep(problem, from, dt, to);
+  return scheme.truncation(problem, from, dt, to);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(Collocation_)
+
+BOOST_AUTO_TEST_CASE(of_one_radau_stage_from_free_flight_is_the_monographs_scheme_iterate_by_iterate) {
+  Spring problem{.stiffness = 2.0};
+  Collocation<Radau<1>, Picard> scheme({.guess = Guess::free_flight, .compensated = false});
+  BackwardEuler euler;
+  const Motion from = at(1.0, 2.0);
+  Motion to, other;
+  scheme.predict(problem, from, 0.375, to);
+  euler.predict(problem, from, 0.375, other);
+  for (int k = 0; k < 6; ++k) {
+    BOOST_TEST(to.r[0] == other.r[0]);
+    BOOST_TEST(to.v[0] == other.v[0]);
+    const Iteration one = scheme.sweep(problem, from, 0.375, to);
+    const Iteration two = euler.sweep(problem, from, 0.375, other);
+    BOOST_TEST(one.w_K == two.w_K);
+    BOOST_TEST(one.rate == two.rate);
+  }
+}
+
+// r = t^3 under r'' = 6 t: the velocity 3 t^2 is the polynomial of its values at three nodes.
+BOOST_AUTO_TEST_CASE(has_the_polynomial_of_the_step_anywhere_in_it) {
+  Spring problem{.stiffness = 0.0, .push = 6.0};
+  Gauss3 scheme;
+  const Motion from = at(0.0, 0.0), to = stepped(scheme, problem, from, 0.5);
+  BOOST_TEST(std::abs(to.r[0] - 0.125) <= 3e-17);
+  Motion there;
+  const double node = 0.5 + std::sqrt(15.0) / 10.0;
+  for (const double theta : {0.0, 0.3, node, 1.0, 1.2}) {
+    scheme.at(from, 0.5, theta, there);
+    BOOST_TEST(there.t == 0.5 * theta);
+    BOOST_TEST(std::abs(there.r[0] - std::pow(0.5 * theta, 3)) <= 2e-16);
+    BOOST_TEST(std::abs(there.v[0] - 3.0 * std::pow(0.5 * theta, 2)) <= 1e-15);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(has_dense_output_that_begins_at_the_start_and_ends_at_the_end) {
+  Spring problem{.stiffness = 4.0};
+  Gauss3 scheme;
+  const Motion from = at(1.0, 2.0), to = stepped(scheme, problem, from, 0.5);
+  Motion there;
+  scheme.at(from, 0.5, 0.0, there);
+  BOOST_TEST(there.r[0] == 1.0);
+  BOOST_TEST(there.v[0] == 2.0);
+  scheme.at(from, 0.5, 1.0, there);
+  BOOST_TEST(std::abs(there.r[0] - to.r[0]) <= 1e-15);
+  BOOST_TEST(std::abs(there.v[0] - to.v[0]) <= 2e-15);
+}
+
+// Under r'' = 6 t from rest at 0: the first stage believes in the rate at the start, which is none, the others in the
+// straight line through it and the first stage's, which is right: their places are t^3.
+BOOST_AUTO_TEST_CASE(draws_later_stages_of_the_first_sweep_through_the_rates_found_so_far) {
+  Spring problem{.stiffness = 0.0, .push = 6.0};
+  Gauss3 scheme;
+  Motion to;
+  scheme.predict(problem, at(0.0, 0.0), 0.5, to);
+  scheme.sweep(problem, at(0.0, 0.0), 0.5, to);
+  BOOST_TEST_REQUIRE(problem.asked.size() == 4U);
+  BOOST_TEST(problem.asked[1] == 0.0);
+  BOOST_TEST(std::abs(problem.asked[2] - std::pow(0.25, 3)) <= 1e-16);
+  BOOST_TEST(std::abs(problem.asked[3] - std::pow(0.5 * (0.5 + std::sqrt(15.0) / 10.0), 3)) <= 1e-16);
+}
+
+BOOST_AUTO_TEST_CASE(extrapolates_where_the_step_goes_on_and_begins_anew_elsewhere) {
+  Spring problem;
+  Gauss3 scheme;
+  const Motion end = stepped(scheme, problem, at(1.0, 2.0), 0.25);
+  BOOST_TEST(asked_by_guess(scheme, end, 0.25) == 0);
+  const auto changed = [&](auto change) {
+    Motion other = end;
+    change(other);
+    return asked_by_guess(scheme, other, 0.25);
+  };
+  BOOST_TEST(changed([](Motion& m) { m.t = std::nextafter(m.t, 1.0); }) == 0);
+  BOOST_TEST(changed([](Motion& m) { m.t += 0.1; }) == 1);
+  BOOST_TEST(changed([](Motion& m) { m.r[0] = std::nextafter(m.r[0], 9.0); }) == 1);
+  BOOST_TEST(changed([](Motion& m) { m.v[0] = -m.v[0]; }) == 1);
+  scheme.forget();
+  BOOST_TEST(asked_by_guess(scheme, end, 0.25) == 1);
+}
+
+BOOST_AUTO_TEST_CASE(still_knows_the_last_step_when_one_is_made_again_smaller) {
+  Spring problem;
+  Gauss3 scheme;
+  const Motion end = stepped(scheme, problem, at(1.0, 2.0), 0.25);
+  Motion to;
+  scheme.predict(problem, end, 0.5, to);
+  scheme.sweep(problem, end, 0.5, to);
+  BOOST_TEST(asked_by_guess(scheme, end, 0.25) == 0);
+}
+
+BOOST_AUTO_TEST_CASE(is_a_checkpoint_when_copied) {
+  Spring problem;
+  Gauss3 scheme;
+  const Motion end = stepped(scheme, problem, at(1.0, 2.0), 0.25);
+  Gauss3 copy = scheme;
+  const Motion one = stepped(scheme, problem, end, 0.25), other = stepped(copy, problem, end, 0.25);
+  BOOST_TEST(one.r[0] == other.r[0]);
+  BOOST_TEST(one.v[0] == other.v[0]);
+}
+
+// A thousand times 1e-17 to 1: each alone is lost in the rounding.
+BOOST_AUTO_TEST_CASE(adds_up_what_rounding_takes_from_the_state) {
+  const auto after = [](bool compensated) {
+    Spring drifting{.stiffness = 0.0};
+    Gauss3 scheme({.compensated = compensated});
+    Motion state = at(1.0, 1e-17);
+    FixedStep control{.step = 1.0};
+    BOOST_REQUIRE(integrate(drifting, state, 1000.0, scheme, control).steps == 1000);
+    return state.r[0];
+  };
+  BOOST_TEST(after(false) == 1.0);
+  BOOST_TEST(std::abs(after(true) - (1.0 + 1e-14)) <= 2.3e-16);
+}
+
+// Order p: a step half as long leaves 2^-(p+1) of the error.
+BOOST_AUTO_TEST_CASE(estimates_an_error_that_falls_with_the_order_that_it_names) {
+  const auto falls = [](auto scheme, auto problem, const auto& from, int order) {
+    const Truncation whole = estimated(scheme, problem, from, 1e-1), half = estimated(scheme, problem, from, 5e-2);
+    BOOST_TEST(whole.order == order);
+    BOOST_TEST(std::abs(std::log2(whole.error / half.error) - (order + 1)) <= 0.2);
+  };
+  falls(Gauss3(), Spring(), at(1.0, 2.0), 6);
+  falls(Stiff(), Decay(), Values{0.0, Eigen::VectorXd::Ones(1)}, 3);
+}
+
+BOOST_AUTO_TEST_CASE(has_no_estimate_for_one_stage_without_a_last_step) {
+  const Collocation<Radau<1>, Picard> scheme({.guess = Guess::free_flight});
+  BOOST_TEST(std::isnan(estimated(scheme, Spring(), at(1.0, 2.0), 0.25).error));
+}
+
+// y' = 2 y with a step of 1/2: the equation of the stage is 0 k = 2.
+BOOST_AUTO_TEST_CASE(refuses_a_singular_system_with_the_reason) {
+  const Decay growth{.rate_of = -2.0};
+  Collocation<Radau<1>, Newton<>> scheme;
+  Values state{0.0, Eigen::VectorXd::Ones(1)};
+  FixedStep control{.step = 0.5};
+  const Outcome outcome = integrate(growth, state, 0.5, scheme, control);
+  BOOST_TEST((outcome.failure == Failure::no_value));
+  BOOST_TEST(outcome.reason.find("no finite value within this step of 0.5 s") != std::string::npos);
+  BOOST_TEST(state.y[0] == 1.0);
+}
+
+// (I + h A) k = -1 on y' = -y: the Pade approximation (1 - 2h/5 + h^2/20)/(1 + 3h/5 + 3h^2/20 + h^3/60) at h = 1.
+BOOST_AUTO_TEST_CASE(solves_a_linear_problem_by_newton) {
+  Decay decay;
+  Stiff scheme;
+  const Values to = stepped(scheme, decay, Values{0.0, Eigen::VectorXd::Ones(1)}, 1.0);
+  BOOST_TEST(std::abs(to.y[0] - 0.65 / (1.0 + 0.6 + 0.15 + 1.0 / 60.0)) <= 2e-16);
+}
+
+BOOST_AUTO_TEST_CASE(wants_as_many_sizes_as_unknowns) {
+  Decay decay;
+  Stiff scheme({.sizes = Eigen::Vector2d(1.0, 2.0)});
+  Values to;
+  BOOST_CHECK_EXCEPTION(scheme.predict(decay, Values{0.0, Eigen::VectorXd::Ones(1)}, 1.0, to), std::invalid_argument,
+                        says("sizes must be one for each of 1 unknowns, got 2"));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(validate_)
+
+BOOST_AUTO_TEST_CASE(names_the_size_and_what_was_given) {
+  const auto refuses = [](const CollocationSettings& bad, const char* words) {
+    BOOST_CHECK_EXCEPTION(validate(bad), std::invalid_argument, says(words));
+    BOOST_CHECK_EXCEPTION(Gauss3{bad}, std::invalid_argument, says(words));
+  };
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  BOOST_CHECK_NO_THROW(validate(CollocationSettings{}));
+  refuses({.size = 0.0}, "collocation: size must be positive and finite, got 0");
+  refuses({.speed = -1.0}, "collocation: speed must be positive and finite, got -1");
+  refuses({.sizes = Eigen::Vector2d(1.0, nan)}, "collocation: sizes must be positive and finite, got nan");
+}
+
+BOOST_AUTO_TEST_SUITE_END()

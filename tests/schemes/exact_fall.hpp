@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cmath>
+
+#include <particulate/schemes/problem.hpp>
+
+namespace tests {
+
+/// A scheme that is exact for constant accelerations, and so is its dense output, but for an error put in on purpose:
+/// 2 blur dt^2 theta (1 - theta)^2 on every position, which vanishes at both ends of the step, at the last with its
+/// slope: as with collocation, whose last velocity is as good as its last position.
+struct ExactFall {
+  static constexpr int order = 4;
+  double blur = 0.0;
+  int accepted = 0, forgotten = 0;
+  Eigen::VectorXd a{};
+
+  template <class P>
+  bool predict(P& problem, const particulate::schemes::Motion& from, double dt, particulate::schemes::Motion& to) {
+    a.resize(from.r.size());
+    if (!problem.acceleration(from.t, from.r, a)) return false;
+    at(from, dt, 1.0, to);
+    return true;
+  }
+  void accept(double) { ++accepted; }
+  void forget() { ++forgotten; }
+  void at(const particulate::schemes::Motion& from, double dt, double theta,
+          particulate::schemes::Motion& there) const {
+    const double t = theta * dt;
+    there.t = from.t + t;
+    there.r = from.r + t * from.v + (0.5 * t * t) * a;
+    there.r.array() += 2.0 * blur * dt * dt * theta * (1.0 - theta) * (1.0 - theta);
+    there.v = from.v + t * a;
+  }
+};
+
+/// A scheme that knows the solution y = sin t of y' = cos t.
+struct ExactSine {
+  static constexpr int order = 8;
+  int forgotten = 0;
+
+  template <class P>
+  bool predict(P& problem, const particulate::schemes::Values& from, double dt, particulate::schemes::Values& to) {
+    Eigen::VectorXd dy(1);
+    if (!problem.rate(from.t + dt, from.y, dy)) return false;
+    at(from, dt, 1.0, to);
+    return true;
+  }
+  void accept(double) {}
+  void forget() { ++forgotten; }
+  void at(const particulate::schemes::Values& from, double dt, double theta,
+          particulate::schemes::Values& there) const {
+    there.t = from.t + theta * dt;
+    there.y = Eigen::VectorXd::Constant(1, std::sin(there.t));
+  }
+};
+
+}  // namespace tests

@@ -1,0 +1,66 @@
+#include <particulate/schemes/fixed_sweeps.hpp>
+
+#include <limits>
+#include <stdexcept>
+
+#include "close.hpp"
+
+using particulate::schemes::Controller;
+using particulate::schemes::Decision;
+using particulate::schemes::Failure;
+using particulate::schemes::FixedSweeps;
+using particulate::schemes::validate;
+using tests::says;
+
+static_assert(Controller<FixedSweeps>);
+
+BOOST_AUTO_TEST_SUITE(FixedSweeps_)
+
+BOOST_AUTO_TEST_CASE(sweeps_as_often_as_told) {
+  const FixedSweeps control{.step = 0.5, .sweeps = 3};
+  BOOST_TEST(control.dt() == 0.5);
+  BOOST_TEST(control.goes_on({.w_K = 0.1, .K = 0}));
+  BOOST_TEST(control.goes_on({.w_K = 0.1, .K = 1}));
+  BOOST_TEST(!control.goes_on({.w_K = 0.1, .K = 2}));
+}
+
+BOOST_AUTO_TEST_CASE(stops_where_nothing_changes_any_more) {
+  BOOST_TEST(!FixedSweeps({.step = 0.5, .sweeps = 3}).goes_on({.w_K = 0.0, .K = 0}));
+}
+
+BOOST_AUTO_TEST_CASE(accepts_whatever_does_not_diverge) {
+  const FixedSweeps control{.step = 0.5};
+  BOOST_TEST(control.judge({.dt = 0.5, .iteration = {.w_0 = 1.0, .w_K = 0.9, .rate = 0.9, .K = 1}}).accepted);
+  BOOST_TEST(control.judge({.dt = 0.5, .iteration = {.w_0 = 1.0, .w_K = 1.0, .K = 0}}).accepted);
+  BOOST_TEST(control.judge({.dt = 0.5, .iteration = {}}).accepted);
+}
+
+BOOST_AUTO_TEST_CASE(fails_where_sweeps_diverge_or_there_is_no_value) {
+  const FixedSweeps control{.step = 0.5};
+  const Decision diverging =
+      control.judge({.dt = 0.5, .iteration = {.w_0 = 1.0, .w_K = 1.5, .change = 1.0, .rate = 1.5, .K = 1}});
+  BOOST_TEST(!diverging.accepted);
+  BOOST_TEST((diverging.failure == Failure::diverging));
+  BOOST_TEST(diverging.impossible.find("diverge by a factor of 1.5") != std::string::npos);
+  BOOST_TEST(diverging.impossible.find("a fixed step cannot shrink") != std::string::npos);
+  const Decision none = control.judge({.dt = 0.5, .iteration = {.evaluated = false}});
+  BOOST_TEST((none.failure == Failure::no_value));
+  BOOST_TEST(none.impossible.find("no finite value") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(validate_)
+
+BOOST_AUTO_TEST_CASE(names_step_or_sweeps_and_what_was_given) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  BOOST_CHECK_NO_THROW(validate(FixedSweeps{.step = 0.5, .sweeps = 1}));
+  const auto refuses = [](const FixedSweeps& bad, const char* words) {
+    BOOST_CHECK_EXCEPTION(validate(bad), std::invalid_argument, says(words));
+  };
+  refuses({.step = 0.0}, "fixed sweeps: step must be positive and finite, got 0 s");
+  refuses({.step = nan}, "got nan");
+  refuses({.step = 0.5, .sweeps = 0}, "fixed sweeps: sweeps must be at least 1, got 0");
+}
+
+BOOST_AUTO_TEST_SUITE_END()
