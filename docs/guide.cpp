@@ -502,7 +502,7 @@ std::string plot_commands(const Diagram& diagram, const std::string& name) {
     const bool sundials = is_sundials(curves[i]);
     const std::size_t k = sundials ? foreign++ : own++;
     out += fmt::format("title[{0}] = {1}; ink[{0}] = '{2}'; mark[{0}] = {3}; dash[{0}] = {4}\n", i + 1,
-                       quoted(label(curves[i])), inks[i % inks.size()],
+                       quoted(label(curves[i])), inks[(i + i / inks.size()) % inks.size()],
                        (sundials ? sundials_marks : own_marks)[k % own_marks.size()],
                        curves[i].tuned ? 3 : (sundials ? 2 : 1));
     if (const std::optional<Theory> line = theory_of(curves[i])) {

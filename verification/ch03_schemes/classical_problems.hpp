@@ -34,6 +34,10 @@ struct Robertson {
   }
   /// @return one of the first substance, none of the others
   static particulate::schemes::Values start() { return {.t = 0.0, .y = Eigen::Vector3d{1.0, 0.0, 0.0}}; }
+  /// @return the published digits
+  static particulate::schemes::Values published() {
+    return {.t = 1e11, .y = Eigen::Vector3d{2.083340149701255e-8, 8.333360770334713e-14, 0.9999999791665050}};
+  }
 };
 
 /// Van der Pol's oscillator, y1' = y2, y2' = mu (1 - y1^2) y2 - y1: slow but for two leaps a period of 0.81 mu.
@@ -53,6 +57,10 @@ struct VanDerPol {
   }
   /// @return the outermost place, at rest
   static particulate::schemes::Values start() { return {.t = 0.0, .y = Eigen::Vector2d{2.0, 0.0}}; }
+  /// @return the published digits, mu = 1000
+  static particulate::schemes::Values published() {
+    return {.t = 2000.0, .y = Eigen::Vector2d{1.706167732170469, -8.928097010248125e-4}};
+  }
 };
 
 /// The Oregonator, a model of the Belousov-Zhabotinskii reaction: three substances that pulsate over five decades.
@@ -79,6 +87,10 @@ struct Oregonator {
   }
   /// @return (1, 2, 3)
   static particulate::schemes::Values start() { return {.t = 0.0, .y = Eigen::Vector3d{1.0, 2.0, 3.0}}; }
+  /// @return the published digits
+  static particulate::schemes::Values published() {
+    return {.t = 360.0, .y = Eigen::Vector3d{1.000814870318523, 1228.178521549917, 132.0554942846706}};
+  }
 };
 
 /// The same rates without their Jacobian, for methods that must form it from difference quotients.

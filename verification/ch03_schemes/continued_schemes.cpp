@@ -9,7 +9,9 @@
 #include <ch01_fundamentals/motions.hpp>
 #include <ch01_fundamentals/starts.hpp>
 #include <harness/case.hpp>
+#include <particulate/schemes/collocation.hpp>
 #include <particulate/schemes/coupled_pair.hpp>
+#include <particulate/schemes/error_control.hpp>
 #include <particulate/schemes/euler.hpp>
 #include <particulate/schemes/phi_control.hpp>
 #include <particulate/schemes/phi_family.hpp>
@@ -18,6 +20,7 @@
 #include <particulate/schemes/verlet.hpp>
 
 #include "bits.hpp"
+#include "classical_problems.hpp"
 
 namespace {
 
@@ -92,6 +95,23 @@ void compare_near_field(Rows& rows, const std::string& method, NearFieldScene& s
           PhiControl{.TOL = 1e-10, .K_d = 4, .step = 0.05, .limit = 0.05});
 }
 
+template <class Solver>
+void compare_collocation(Rows& rows, const std::string& solver, NearFieldScene& scene) {
+  const Motion start = scenes::start(scene);
+  const Collocation<Gauss<4>, Solver> scheme({}, Solver());
+  compare(rows, "Gauss 4, " + solver + ", fixed step", scene, start, 1.4, scheme, FixedStep{.step = 1.0 / 16.0});
+  compare(rows, "Gauss 4, " + solver + ", error control", scene, start, 1.4, scheme,
+          ErrorControl{.TOL = 1e-13, .sweep_TOL = 1e-13, .step = 0.02, .limit = 0.1});
+}
+
+void compare_stiff(Rows& rows) {
+  VanDerPol problem{.mu = 100.0};
+  const Collocation<Radau<3>, Newton<>> scheme({.sizes = Eigen::Vector2d{1.0, 1e-3}});
+  compare(rows, "Radau 3, Newton, fixed step", problem, VanDerPol::start(), 20.0, scheme, FixedStep{.step = 0.5});
+  compare(rows, "Radau 3, Newton, error control", problem, VanDerPol::start(), 100.0, scheme,
+          ErrorControl{.TOL = 1e-6, .sweep_TOL = 1e-8, .K_d = 3, .step = 1e-3, .limit = 10.0, .growth = 8.0});
+}
+
 void compare_staggered(Rows& rows, const std::string& method, Seen seen, const std::optional<Aitken>& relaxation) {
   FirstOrderPair pair;
   pair.a << 1.0, 3.0, -3.0, 1.0;
@@ -119,6 +139,9 @@ const Case continued_schemes{
         compare_near_field(rows, fmt::format("phi = {}", phi), scene, BackwardEuler(phi));
         compare_near_field(rows, fmt::format("phi = {}, Anderson", phi), scene, PhiFamily<Anderson>(phi));
       }
+      compare_collocation<Sequential>(rows, "sequential", scene);
+      compare_collocation<Anderson>(rows, "Anderson", scene);
+      compare_stiff(rows);
       compare_staggered(rows, "Gauss-Seidel", Seen::newest, {});
       compare_staggered(rows, "Gauss-Seidel with Aitken", Seen::newest, Aitken{});
       compare_staggered(rows, "Jacobi", Seen::previous, {});

@@ -9,7 +9,9 @@
 #include <ch01_fundamentals/motions.hpp>
 #include <ch01_fundamentals/starts.hpp>
 #include <harness/case.hpp>
+#include <particulate/schemes/collocation.hpp>
 #include <particulate/schemes/coupled_pair.hpp>
+#include <particulate/schemes/error_control.hpp>
 #include <particulate/schemes/phi_control.hpp>
 #include <particulate/schemes/phi_family.hpp>
 #include <particulate/schemes/staggering.hpp>
@@ -22,28 +24,33 @@ using namespace particulate;
 using namespace particulate::schemes;
 using namespace verification;
 
+double sweep_tolerance(const PhiControl& control) { return control.TOL; }
+double sweep_tolerance(const ErrorControl& control) { return control.sweep_TOL; }
+
 // Tries, one after the other, the steps that another run accepted; sweeps as that run did.
+template <class C>
 struct Replayed {
   std::vector<double> steps;
-  double TOL;
-  int K_d;
+  C control;
   std::size_t next = 0;
 
   double dt() const { return steps.at(next); }
-  bool goes_on(const Iteration& it) const { return it.w_K > TOL && it.K < K_d; }
+  bool goes_on(const Iteration& it) const { return control.goes_on(it); }
   Decision judge(const Attempt& made) {
-    if (!(made.iteration.evaluated && made.iteration.w_K <= TOL)) {
+    if (!(made.iteration.evaluated && made.iteration.w_K <= sweep_tolerance(control))) {
       return {.accepted = false, .impossible = "a step that was accepted before is refused now"};
     }
     if (next + 1 < steps.size()) ++next;
     return {.accepted = true};
   }
 };
-void validate(const Replayed&) {}
+template <class C>
+void validate(const Replayed<C>&) {}
 
 // Counts by itself what the run claims to have counted.
+template <class C>
 struct Watched {
-  PhiControl control;
+  C control;
   long steps = 0, rejections = 0, sweeps = 0;
 
   double dt() const { return control.dt(); }
@@ -55,7 +62,10 @@ struct Watched {
     return decision;
   }
 };
-void validate(const Watched& watched) { validate(watched.control); }
+template <class C>
+void validate(const Watched<C>& watched) {
+  validate(watched.control);
+}
 
 // Counts right-hand sides by itself.
 struct Asked {
@@ -93,12 +103,12 @@ Run<State> run(P& problem, const State& start, double t_end, S scheme, C& contro
 }
 
 // What every such run must show; returns what its controller counted.
-template <class S, class P, class State>
-Watched compare(Rows& rows, const std::string& method, P& problem, const State& start, double t_end, const S& scheme,
-                const PhiControl& control) {
-  Watched watched{.control = control};
+template <class S, class P, class State, class C>
+Watched<C> compare(Rows& rows, const std::string& method, P& problem, const State& start, double t_end, const S& scheme,
+                   const C& control) {
+  Watched<C> watched{.control = control};
   const Run<State> adaptive = run(problem, start, t_end, scheme, watched);
-  Replayed again{.steps = adaptive.steps, .TOL = control.TOL, .K_d = control.K_d};
+  Replayed<C> again{.steps = adaptive.steps, .control = control};
   const Run<State> replayed = run(problem, start, t_end, scheme, again);
   long differ = 0;
   for (std::size_t k = 0; k < adaptive.states.size(); ++k) {
@@ -123,23 +133,50 @@ Watched compare(Rows& rows, const std::string& method, P& problem, const State& 
   return watched;
 }
 
-template <class S>
-void compare_near_field(Rows& rows, const std::string& method, const S& scheme, int predictions) {
+// Right-hand sides of one run on the pair, which the case counts itself.
+template <class S, class C>
+Watched<C> compare_pair(Rows& rows, const std::string& method, const S& scheme, const C& control, long& evaluations) {
   NearFieldScene scene(pair_at_rest(1.0, 1.0, 1.0), {}, {.alpha1 = 1.0, .alpha2 = 0.1, .beta1 = 2.0, .beta2 = 3.0});
   Asked asked{.scene = scene};
-  const PhiControl control{.TOL = 1e-8, .K_d = 3, .step = 0.05, .limit = 0.05, .growth = 4.0};
-  const Watched watched = compare(rows, method, asked, scenes::start(scene), 1.5, scheme, control);
+  const Watched<C> watched = compare(rows, method, asked, scenes::start(scene), 1.5, scheme, control);
   // The problem was asked by the replay too, which did what was accepted.
   const long before = asked.evaluations;
-  Watched fresh{.control = control};
+  Watched<C> fresh{.control = control};
   const auto once = run(asked, scenes::start(scene), 1.5, scheme, fresh);
+  evaluations = once.outcome.evaluations;
   rows.equal("right-hand sides, " + method, {.expected = asked.evaluations - before,
-                                             .computed = once.outcome.evaluations,
+                                             .computed = evaluations,
                                              .because = "counted by a problem of the case's own"});
+  return watched;
+}
+
+template <class S>
+void compare_near_field(Rows& rows, const std::string& method, const S& scheme, int predictions) {
+  const PhiControl control{.TOL = 1e-8, .K_d = 3, .step = 0.05, .limit = 0.05, .growth = 4.0};
+  long evaluations = 0;
+  const Watched<PhiControl> watched = compare_pair(rows, method, scheme, control, evaluations);
   rows.equal("right-hand sides, " + method + ", from sweeps and attempts",
              {.expected = watched.sweeps + predictions * (watched.steps + watched.rejections),
-              .computed = once.outcome.evaluations,
+              .computed = evaluations,
               .because = "one a sweep, and one an attempt where the start's share counts"});
+}
+
+// Four stages; the first step, and its repetitions, ask for the rates at the start too.
+template <class Solver>
+void compare_collocation(Rows& rows, const std::string& solver) {
+  const std::string method = "Gauss 4, " + solver;
+  const ErrorControl control{
+      .TOL = 1e-8, .sweep_TOL = 1e-10, .K_d = 2, .allowed = 2, .step = 0.05, .limit = 0.2, .safety = 1.0};
+  long evaluations = 0;
+  const Watched<ErrorControl> watched =
+      compare_pair(rows, method, Collocation<Gauss<4>, Solver>({}, Solver()), control, evaluations);
+  const long beyond = evaluations - 4 * watched.sweeps;
+  rows.at_least("right-hand sides beyond four a sweep, " + method,
+                {.limit = 1.0, .computed = static_cast<double>(beyond), .because = "the guess of the first step"});
+  rows.at_most("right-hand sides beyond four a sweep, " + method,
+               {.limit = 10.0,
+                .computed = static_cast<double>(beyond),
+                .because = "one an attempt at the first step: all later guesses extrapolate, after a refusal too"});
 }
 
 // A pair whose coefficients let the sweeps fail at the limit and whose decay makes the steps grow again.
@@ -164,6 +201,8 @@ const Case restored_after_rejection{
       compare_near_field(rows, "phi = 1", BackwardEuler{}, 0);
       compare_near_field(rows, "phi = 1/2", BackwardEuler(0.5), 1);
       compare_near_field(rows, "phi = 1, Anderson", PhiFamily<Anderson>(1.0, Anderson(2)), 0);
+      compare_collocation<Sequential>(rows, "sequential");
+      compare_collocation<Anderson>(rows, "Anderson");
       compare_staggered(rows, "Gauss-Seidel", {}, Seen::newest, 2);
       compare_staggered(rows, "Gauss-Seidel with Aitken", Aitken{}, Seen::newest, 2);
       compare_staggered(rows, "Jacobi", {}, Seen::previous, 1);

@@ -10,12 +10,14 @@
 #include <fmt/format.h>
 
 #include <harness/case.hpp>
+#include <harness/front.hpp>
 #include <harness/races.hpp>
 #include <particulate/schemes/phi_family.hpp>
 #include <particulate/schemes/runge_kutta.hpp>
 #include <particulate/schemes/verlet.hpp>
 
 #include "classical_problems.hpp"
+#include "collocation_races.hpp"
 #include "kinsol_euler.hpp"
 
 namespace {
@@ -39,6 +41,7 @@ struct Problem {
   std::string reference;
   Ladder runge_kutta, verlet, backward_euler, trapezoidal;
   double tightest, tightest_of_bdf;  // tolerances; 1 for none
+  Steps collocation;                 // of both methods at fixed steps; none at first = 0
   std::vector<Competitor> others = {};
 };
 
@@ -54,22 +57,39 @@ SweepTolerance sweeps(const Problem& of, int order) {
   return {.order = order, .share = 0.1, .T = of.judged.race.outputs.back()};
 }
 
-std::vector<Competitor> everybody(const Problem& of) {
+// The parties of the front. Of all explicit tables of ARKODE of order 4 to 8, on seed 1 of the cloud, on the breathing
+// bodies and on the Pleiades one of these needs the fewest evaluations at every error from 1e-4 to 1e-10.
+const Party sundials{"SUNDIALS",
+                     {"CVODE Adams", "ARKODE Cash-Karp 5(4)", "ARKODE Dormand-Prince 5(4)", "ARKODE Fehlberg 8(7)"}};
+
+std::vector<Competitor> by_sundials(const Problem& of) {
+  using reference::ExplicitRungeKutta, reference::Table;
   const auto toleranced = [&](const char* name, double tightest, auto begin) {
     return competitor(name, of.judged.race, tolerances(tightest), begin);
   };
-  const reference::ExplicitRungeKutta dormand_prince{.table = reference::Table::dormand_prince_7_4_5};
-  const reference::ExplicitRungeKutta fehlberg{.table = reference::Table::fehlberg_13_7_8};
+  std::vector<Competitor> all{
+      toleranced("CVODE Adams", of.tightest, by(reference::Adams{})),
+      toleranced("ARKODE Cash-Karp 5(4)", of.tightest, by(ExplicitRungeKutta{.table = Table::cash_karp_6_4_5})),
+      toleranced("ARKODE Dormand-Prince 5(4)", of.tightest,
+                 by(ExplicitRungeKutta{.table = Table::dormand_prince_7_4_5})),
+      toleranced("ARKODE Fehlberg 8(7)", of.tightest, by(ExplicitRungeKutta{.table = Table::fehlberg_13_7_8}))};
+  if (of.tightest_of_bdf < 1.0) all.push_back(toleranced("CVODE BDF", of.tightest_of_bdf, by(reference::Bdf{})));
+  return all;
+}
+
+void append(std::vector<Competitor>& all, const std::vector<Competitor>& more) {
+  all.insert(all.end(), more.begin(), more.end());
+}
+
+std::vector<Competitor> everybody(const Problem& of) {
   std::vector<Competitor> all{
       stepped("RK4", of, of.runge_kutta, at_fixed_step<schemes::RungeKutta4>()),
       stepped("velocity Verlet", of, of.verlet, at_fixed_step<schemes::VelocityVerlet>()),
       stepped("backward Euler", of, of.backward_euler, under_phi_control(BackwardEuler(), sweeps(of, 1))),
-      stepped("phi = 1/2", of, of.trapezoidal, under_phi_control(BackwardEuler(0.5), sweeps(of, 2))),
-      toleranced("CVODE Adams", of.tightest, by(reference::Adams{})),
-      toleranced("ARKODE Dormand-Prince 5(4)", of.tightest, by(dormand_prince)),
-      toleranced("ARKODE Fehlberg 8(7)", of.tightest, by(fehlberg))};
-  if (of.tightest_of_bdf < 1.0) all.push_back(toleranced("CVODE BDF", of.tightest_of_bdf, by(reference::Bdf{})));
-  all.insert(all.end(), of.others.begin(), of.others.end());
+      stepped("phi = 1/2", of, of.trapezoidal, under_phi_control(BackwardEuler(0.5), sweeps(of, 2)))};
+  append(all, by_collocation(of.judged.race, of.collocation));
+  append(all, by_sundials(of));
+  append(all, of.others);
   return all;
 }
 
@@ -88,9 +108,21 @@ Competitor by_kinsol_with_anderson(const Problem& of, const Steps& steps) {
                  by_kinsol(of.judged.race.speed, sweeps(of, 1)));
 }
 
-void measure(Rows& rows, const Problem& of) {
+// Ratios of evaluations that are claimed of the collocation methods, at 1e-4, 1e-6, 1e-8 and 1e-10; 0: none.
+struct Ratios {
+  std::vector<double> adaptive, fixed;
+  std::string because;
+};
+
+void measure(Rows& rows, const Problem& of, const std::vector<Competitor>& who, bool timed = true) {
   rows.work_precision(
-      {.problem = of.name, .reference = of.reference, .floor = of.judged.floor, .competitors = everybody(of)});
+      {.problem = of.name, .reference = of.reference, .floor = of.judged.floor, .competitors = who, .timed = timed});
+}
+
+void measure(Rows& rows, const Problem& of, const Ratios& claimed) {
+  measure(rows, of, everybody(of));
+  compare_fronts(rows, of.name, sundials,
+                 {{adaptive, claimed.adaptive, claimed.because}, {at_fixed_steps, claimed.fixed, claimed.because}});
 }
 
 // A full run goes on where a quick one ends.
@@ -107,24 +139,32 @@ Problem breathing(Rows& rows, const std::string& name, const Race<NearFieldScene
           .verlet = longer(rows, {{8, 2.0, 7}, 2.0}),
           .backward_euler = longer(rows, {{256, 1.6, 7}, 1.0}),
           .trapezoidal = longer(rows, {{4, 2.0, 7}, 2.0}),
-          .tightest = rows.quick() ? 1e-11 : 1e-15,
-          .tightest_of_bdf = rows.quick() ? 1e-8 : 1e-10};
+          .tightest = rows.quick() ? 1e-13 : 1e-15,
+          .tightest_of_bdf = rows.quick() ? 1e-8 : 1e-10,
+          .collocation = {1, 1.45, 8}};
 }
 
 Claim claim_of(const std::string& problem, const std::string& bodies, Reference reference = Reference::closed_form) {
   return {.name = "work_precision_" + problem,
-          .claim = "error against run time of " + bodies + ": the phi family, explicit schemes, CVODE, ARKODE, KINSOL",
+          .claim = "error against run time of " + bodies +
+                   ": the phi family, explicit schemes, collocation, CVODE, ARKODE, KINSOL",
           .equation = "R 3.4",
           .reference = reference};
 }
 
-const Case soft{claim_of("breathing_pair_soft", "a breathing pair, alpha2 = 0.5"),
-                [](Rows& rows) { measure(rows, breathing(rows, "breathing_pair_soft", breathing_pair_race(0.5))); }};
+// What is missed of the goal of three: a breathing body is asked for nine states in a period, and each ends a step
+// early; Adams methods, which use up to twelve earlier steps at one evaluation a step, lose less by that.
+const std::string nine_stops = "nine output times a period, each of which cuts a step short; three were hoped for";
+
+const Case soft{claim_of("breathing_pair_soft", "a breathing pair, alpha2 = 0.5"), [](Rows& rows) {
+                  measure(rows, breathing(rows, "breathing_pair_soft", breathing_pair_race(0.5)),
+                          {{1.3, 1.4, 1.5, 1.6}, {0, 0, 0, 1.2}, nine_stops});
+                }};
 
 const Case pentagon{claim_of("pentagon", "five bodies that breathe, alpha2 = 0.5"), [](Rows& rows) {
                       Problem of = breathing(rows, "pentagon", pentagon_race());
                       of.backward_euler = longer(rows, {{64, 2.0, 4}});
-                      measure(rows, of);
+                      measure(rows, of, {{1.1, 1.5, 1.2, 1.2}, {0, 0, 0, 0}, nine_stops});
                     }};
 
 const Case stiff{
@@ -139,7 +179,8 @@ const Case stiff{
       constexpr Steps few{16, 2.0, 4};
       of.others = {by_kinsol_with_anderson(of, few), backward_euler_with_anderson(of, few),
                    stepped(fixed, of, {.steps = few}, sweeping_at_fixed_step(BackwardEuler(), sweeps(of, 1)))};
-      measure(rows, of);
+      of.collocation = {8, 1.45, 6};
+      measure(rows, of, {{1.4, 1.5, 1.6, 2.0}, {0, 0, 0, 0}, nine_stops});
       const auto& points = rows.points();
       const auto largest =
           std::find_if(points.begin(), points.end(), [&](const auto& point) { return point.method == fixed; });
@@ -162,29 +203,55 @@ const Case stars{
                  .verlet = longer(rows, {{1024, std::numbers::sqrt2, 4}, 2.0}),
                  .backward_euler = longer(rows, {{256, 2.0, 2}}, 3),
                  .trapezoidal = longer(rows, {{64, 2.0, 4}}),
-                 .tightest = rows.quick() ? 1e-7 : 1e-13,
-                 .tightest_of_bdf = rows.quick() ? 1e-5 : 1e-8};
-      measure(rows, of);
+                 .tightest = rows.quick() ? 1e-9 : 1e-14,
+                 .tightest_of_bdf = rows.quick() ? 1e-5 : 1e-8,
+                 .collocation = {.first = 0, .factor = 2.0, .times = 0}};
+      measure(rows, of, {{1.7, 1.6, 0, 0}, {0, 0, 0, 0}, "ten output times, each of which cuts a step short"});
     }};
 
-// BDF is left out: each of its Jacobians costs 600 right-hand sides and the decomposition of 600 unknowns.
-Problem cloud_of_100(Rows& rows, const std::string& name, std::uint64_t seed) {
-  Problem of{.name = name,
-             .judged = judged_race(near_field_cloud(100, seed), 1.0, 5),
-             .reference = "ARKODE Fehlberg 8(7) at 1e-15; the floor is its distance from CVODE Adams at 1e-15",
-             .runge_kutta = longer(rows, {{4, 1.6, 4}, 4.0}),
-             .verlet = longer(rows, {{12, 1.5, 4}, 2.0}),
-             .backward_euler = longer(rows, {{4, 2.0, 4}}),
-             .trapezoidal = longer(rows, {{4, 1.6, 6}, 2.0}),
-             .tightest = rows.quick() ? 1e-6 : 1e-12,
-             .tightest_of_bdf = 1.0};
-  of.others = {backward_euler_with_anderson(of, {4, 2.0, 3}), trapezoidal_with_anderson(of, {4, 1.6, 2}),
-               by_kinsol_with_anderson(of, {4, 2.0, 3})};
-  return of;
+// BDF is left out: each of its Jacobians costs 600 right-hand sides and the decomposition of 600 unknowns. The state is
+// asked for at the end alone, so that every method goes at the steps that it chooses; what outputs cost is seen on the
+// breathing bodies.
+Problem cloud_of(Rows& rows, Eigen::Index N, const std::string& name, std::uint64_t seed, int legs = 1) {
+  const auto steps = [=](Steps of_run) {
+    of_run.first *= 5 / legs;
+    return of_run;
+  };
+  return {.name = name,
+          .judged = judged_race(near_field_cloud(N, seed), 1.0, legs),
+          .reference = "ARKODE Fehlberg 8(7) at 1e-15; the floor is its distance from CVODE Adams at 1e-15",
+          .runge_kutta = longer(rows, {steps({4, 1.6, 4}), 4.0}),
+          .verlet = longer(rows, {steps({12, 1.5, 4}), 2.0}),
+          .backward_euler = longer(rows, {steps({4, 2.0, 4})}),
+          .trapezoidal = longer(rows, {steps({4, 1.6, 6}), 2.0}),
+          .tightest = rows.quick() ? 1e-11 : 1e-14,
+          .tightest_of_bdf = 1.0,
+          .collocation = {legs == 1 ? 2 : 1, 1.35, 8}};
 }
 
+// Of a cloud whose many evaluations are to be counted: the parties of the front, and a ruler.
+std::vector<Competitor> parties(const Problem& of) {
+  std::vector<Competitor> few{stepped("RK4", of, of.runge_kutta, at_fixed_step<schemes::RungeKutta4>())};
+  append(few, by_collocation(of.judged.race, of.collocation));
+  append(few, by_sundials(of));
+  return few;
+}
+
+// Adaptive collocation meets the goal of two on every seed. At fixed steps it misses it at 1e-6 and at 1e-10: it begins
+// with a step as long as all others, whose first guess knows only the rates at the start.
+const Ratios of_cloud{{2.2, 1.9, 2.4, 2.6},
+                      {1.8, 1.2, 1.6, 1.5},
+                      "seen 2.3, 2.0, 2.6 and 2.8 or more on six seeds, at fixed steps 2.0, 1.3, 1.7 and 1.7; two were "
+                      "hoped for; kernels round differently, which moves counts by a few of a hundred"};
+
 const Case cloud{claim_of("near_field_100", "a cloud of a hundred under a near field", Reference::sundials),
-                 [](Rows& rows) { measure(rows, cloud_of_100(rows, "near_field_100", 1)); }};
+                 [](Rows& rows) {
+                   Problem of = cloud_of(rows, 100, "near_field_100", 1);
+                   const Steps few{20, 2.0, 3};
+                   of.others = {backward_euler_with_anderson(of, few), trapezoidal_with_anderson(of, {20, 1.6, 2}),
+                                by_kinsol_with_anderson(of, few)};
+                   measure(rows, of, of_cloud);
+                 }};
 
 // Evaluations at the largest limit of a method.
 long at_the_largest_limit(const Rows& rows, const std::string& problem, const std::string& method) {
@@ -197,25 +264,53 @@ long at_the_largest_limit(const Rows& rows, const std::string& problem, const st
 
 const Case other_seeds{
     {.name = "work_precision_near_field_100_other_seeds",
-     .claim = "what Anderson saves on the cloud it was chosen for, it saves on others",
+     .claim = "what was chosen on one cloud, Anderson's mixing and the collocation methods, saves on others",
      .equation = "R 3.4",
      .reference = Reference::sundials},
     [](Rows& rows) {
       for (std::uint64_t seed = 2; seed <= (rows.quick() ? 2 : 6); ++seed) {
         const std::string name = fmt::format("near_field_100_seed_{}", seed);
-        Problem of = cloud_of_100(rows, name, seed);
-        of.runge_kutta = {{8, 1.35, 4}, 4.0};
-        of.backward_euler = {{4, 2.0, 2}};
-        const std::vector<Competitor> few{
-            stepped("RK4", of, of.runge_kutta, at_fixed_step<schemes::RungeKutta4>()),
-            stepped("backward Euler", of, of.backward_euler, under_phi_control(BackwardEuler(), sweeps(of, 1))),
-            backward_euler_with_anderson(of, of.backward_euler.steps)};
-        rows.work_precision({.problem = name, .reference = of.reference, .floor = of.judged.floor, .competitors = few});
+        Problem of = cloud_of(rows, 100, name, seed);
+        of.runge_kutta = {{40, 1.35, 4}, 4.0};
+        of.backward_euler = {{20, 2.0, 2}};
+        std::vector<Competitor> few = parties(of);
+        append(few,
+               {stepped("backward Euler", of, of.backward_euler, under_phi_control(BackwardEuler(), sweeps(of, 1))),
+                backward_euler_with_anderson(of, of.backward_euler.steps)});
+        measure(rows, of, few, rows.full());
+        compare_fronts(
+            rows, name, sundials,
+            {{adaptive, of_cloud.adaptive, of_cloud.because}, {at_fixed_steps, of_cloud.fixed, of_cloud.because}});
         rows.at_most(name + ": evaluations of backward Euler with Anderson at the largest limit",
                      {.limit = static_cast<double>(at_the_largest_limit(rows, name, "backward Euler")),
                       .computed = static_cast<double>(at_the_largest_limit(rows, name, "backward Euler, Anderson")),
                       .because = "as many as without, or fewer: there the sweeps hardly contract"});
       }
+    }};
+
+// The evaluations of a thousand bodies are counted on every seed, and timed on the first. A quick run takes two
+// hundred, of the first seed alone. The ratios are reported, in front_near_field_*.csv.
+const Case thousand{
+    claim_of("near_field_1000", "a cloud of a thousand under a near field", Reference::sundials), [](Rows& rows) {
+      const Eigen::Index N = rows.quick() ? 200 : 1000;
+      for (std::uint64_t seed = 1; seed <= (rows.quick() ? 1 : 6); ++seed) {
+        const std::string name = fmt::format("near_field_{}{}", N, seed == 1 ? "" : fmt::format("_seed_{}", seed));
+        Problem of = cloud_of(rows, N, name, seed);
+        of.runge_kutta = {{40, 1.35, 4}, 4.0};
+        measure(rows, of, parties(of), rows.full() && seed == 1);
+        compare_fronts(rows, name, sundials, {{adaptive, {0, 0, 0, 0}, ""}, {at_fixed_steps, {0, 0, 0, 0}, ""}});
+      }
+    }};
+
+const Case outputs{
+    {.name = "work_precision_near_field_100_outputs",
+     .claim = "five output times cost collocation, whose steps they cut short, more than Adams methods",
+     .equation = "R 3.4",
+     .reference = Reference::sundials},
+    [](Rows& rows) {
+      const Problem of = cloud_of(rows, 100, "near_field_100_outputs", 1, 5);
+      measure(rows, of, parties(of), rows.full());
+      compare_fronts(rows, of.name, sundials, {{adaptive, {0, 0, 0, 0}, ""}, {at_fixed_steps, {0, 0, 0, 0}, ""}});
     }};
 
 }  // namespace

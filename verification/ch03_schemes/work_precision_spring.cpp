@@ -11,6 +11,7 @@
 #include <particulate/schemes/runge_kutta.hpp>
 #include <particulate/schemes/verlet.hpp>
 
+#include "collocation_races.hpp"
 #include "linear_problems.hpp"
 
 namespace {
@@ -50,24 +51,23 @@ const Case spring{
       const reference::ExplicitRungeKutta dormand_prince{.table = reference::Table::dormand_prince_7_4_5};
       const reference::ExplicitRungeKutta fehlberg{.table = reference::Table::fehlberg_13_7_8};
       const schemes::PhiFamily<schemes::Anderson> with_anderson(1.0, schemes::Anderson(1));
+      std::vector<Competitor> all{
+          with_slope(4.0, competitor("RK4", race, coarse, at_fixed_step<schemes::RungeKutta4>())),
+          with_slope(2.0, competitor("velocity Verlet", race, coarse, at_fixed_step<schemes::VelocityVerlet>())),
+          with_slope(1.0, competitor("forward Euler", race, fine, at_fixed_step<schemes::ForwardEuler>())),
+          with_slope(1.0, competitor("backward Euler", race, fine, under_phi_control(schemes::BackwardEuler(), first))),
+          with_slope(2.0,
+                     competitor("phi = 1/2", race, coarse, under_phi_control(schemes::BackwardEuler(0.5), second))),
+          tuned(competitor("backward Euler, Anderson", race, step_sizes(leg, {2, 2.0, 4}),
+                           under_phi_control(with_anderson, first))),
+          competitor("CVODE Adams", race, tolerances(tightest), by(reference::Adams{})),
+          competitor("CVODE BDF", race, tolerances(rows.quick() ? 1e-8 : 1e-10), by(reference::Bdf{})),
+          competitor("ARKODE Dormand-Prince 5(4)", race, tolerances(tightest), by(dormand_prince)),
+          competitor("ARKODE Fehlberg 8(7)", race, tolerances(tightest), by(fehlberg))};
+      const std::vector<Competitor> collocation = by_collocation(race, {1, 1.45, 6});
+      all.insert(all.begin() + 5, collocation.begin(), collocation.end());
       rows.work_precision(
-          {.problem = "spring",
-           .reference = "closed form, rounded",
-           .floor = rounding_floor,
-           .competitors = {
-               with_slope(4.0, competitor("RK4", race, coarse, at_fixed_step<schemes::RungeKutta4>())),
-               with_slope(2.0, competitor("velocity Verlet", race, coarse, at_fixed_step<schemes::VelocityVerlet>())),
-               with_slope(1.0, competitor("forward Euler", race, fine, at_fixed_step<schemes::ForwardEuler>())),
-               with_slope(1.0,
-                          competitor("backward Euler", race, fine, under_phi_control(schemes::BackwardEuler(), first))),
-               with_slope(
-                   2.0, competitor("phi = 1/2", race, coarse, under_phi_control(schemes::BackwardEuler(0.5), second))),
-               tuned(competitor("backward Euler, Anderson", race, step_sizes(leg, {2, 2.0, 4}),
-                                under_phi_control(with_anderson, first))),
-               competitor("CVODE Adams", race, tolerances(tightest), by(reference::Adams{})),
-               competitor("CVODE BDF", race, tolerances(rows.quick() ? 1e-8 : 1e-10), by(reference::Bdf{})),
-               competitor("ARKODE Dormand-Prince 5(4)", race, tolerances(tightest), by(dormand_prince)),
-               competitor("ARKODE Fehlberg 8(7)", race, tolerances(tightest), by(fehlberg))}});
+          {.problem = "spring", .reference = "closed form, rounded", .floor = rounding_floor, .competitors = all});
     }};
 
 }  // namespace

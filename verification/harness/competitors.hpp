@@ -21,14 +21,14 @@
 namespace verification {
 
 /// What every competitor is asked to do: the same right-hand side, start and output times, and the same truth.
-template <class P>
+template <class P, class State = schemes::Motion>
 struct Race {
-  P problem;                                     ///< copied for each competitor
-  schemes::Motion start;                         ///< where it starts
-  std::vector<double> outputs;                   ///< times at which a state is handed out, rising [s]
-  std::function<schemes::Motion(double)> truth;  ///< the reference at a time
-  double length = 1.0;                           ///< errors in position count in it below it, relative above, > 0 [m]
-  double speed = 1.0;                            ///< errors in velocity likewise, > 0 [m/s]
+  P problem;                           ///< copied for each competitor
+  State start;                         ///< where it starts
+  std::vector<double> outputs;         ///< times at which a state is handed out, rising [s]
+  std::function<State(double)> truth;  ///< the reference at a time; of Values, no entry 0: errors are relative to each
+  double length = 1.0;                 ///< errors in position count in it below it, relative above, > 0 [m]
+  double speed = 1.0;                  ///< errors in velocity likewise, > 0 [m/s]
 };
 
 namespace detail {
@@ -39,25 +39,37 @@ inline std::vector<double> flat(const schemes::Motion& state) {
   return all;
 }
 
-/// One competitor's own copy of the race, with what it recorded and what it handed out last.
-template <class P>
-struct Lane {
-  Race<P> race;
-  Recording recording = {};
-  std::vector<schemes::Motion> handed = {};
+inline std::vector<double> flat(const schemes::Values& state) { return {state.y.begin(), state.y.end()}; }
 
-  explicit Lane(const Race<P>& all) : race(all) {}
+template <class P>
+bool rate_at(P& problem, const schemes::Motion& state, Eigen::VectorXd& rate) {
+  rate.resize(state.r.size());
+  return schemes::acceleration_of(problem, state.t, state.r, state.v, rate);
+}
+template <class P>
+bool rate_at(P& problem, const schemes::Values& state, Eigen::VectorXd& rate) {
+  rate.resize(state.y.size());
+  return problem.rate(state.t, state.y, rate);
+}
+
+/// One competitor's own copy of the race, with what it recorded and what it handed out last.
+template <class P, class State = schemes::Motion>
+struct Lane {
+  Race<P, State> race;
+  Recording recording = {};
+  std::vector<State> handed = {};
+
+  explicit Lane(const Race<P, State>& all) : race(all) {}
 
   Task task() {
-    Eigen::VectorXd rate(race.start.r.size());
-    if (!schemes::acceleration_of(race.problem, race.start.t, race.start.r, race.start.v, rate))
-      rate.setConstant(missing);
+    Eigen::VectorXd rate;
+    if (!rate_at(race.problem, race.start, rate)) rate.setConstant(missing);
     return {.start = flat(race.start), .rate = {rate.begin(), rate.end()}, .outputs = race.outputs};
   }
 
   template <class Problem, class Begin>
   Counts follow(Problem& problem, const Begin& begin, double setting) {
-    schemes::Motion state = race.start;
+    State state = race.start;
     auto advance = begin(problem, race.start, setting);
     Counts counts;
     handed.clear();
@@ -74,14 +86,18 @@ struct Lane {
     return counts;
   }
 
-  std::vector<double> scaled(const schemes::Motion& state) const {
-    return flat({.t = state.t, .r = state.r / race.length, .v = state.v / race.speed});
+  std::vector<double> scaled(const schemes::Motion& state, const schemes::Motion&) const {
+    return flat(schemes::Motion{.t = state.t, .r = state.r / race.length, .v = state.v / race.speed});
+  }
+  std::vector<double> scaled(const schemes::Values& state, const schemes::Values& exact) const {
+    return flat(schemes::Values{.t = state.t, .y = state.y.cwiseQuotient(exact.y)});
   }
 
   Errors errors() const {
     Errors errors;
-    for (const schemes::Motion& state : handed) {
-      errors.end = mixed_error(scaled(state), scaled(race.truth(state.t)), 1.0);
+    for (const State& state : handed) {
+      const State exact = race.truth(state.t);
+      errors.end = mixed_error(scaled(state, exact), scaled(exact, exact), 1.0);
       errors.max = std::isnan(errors.end) ? errors.end : std::max(errors.max, errors.end);
     }
     return errors;
@@ -98,10 +114,10 @@ struct Lane {
 /// @param begin     `begin(problem, start, setting)` gives a function `advance(state, t_end)` that returns an Outcome;
 ///                  it is called with the problem, with its recorder and with its replay
 /// @return the competitor: every run starts from scratch, so that setting up counts too
-template <class P, class Begin>
-Competitor competitor(std::string name, const Race<P>& race, std::vector<double> settings, Begin begin) {
+template <class P, class State, class Begin>
+Competitor competitor(std::string name, const Race<P, State>& race, std::vector<double> settings, Begin begin) {
   const auto prepare = [race, begin](double setting) {
-    const auto lane = std::make_shared<detail::Lane<P>>(race);
+    const auto lane = std::make_shared<detail::Lane<P, State>>(race);
     Recorded<P> recorded{lane->race.problem};
     const Counts counts = lane->follow(recorded, begin, setting);
     if (counts.evaluations != recorded.evaluations()) {

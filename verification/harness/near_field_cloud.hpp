@@ -58,7 +58,7 @@ inline particulate::kinematics::Particles random_cloud(const Cloud& of, std::uin
 /// @param seed  of their places and velocities
 /// @return the scene
 inline NearFieldScene near_field_cloud(Eigen::Index N, std::uint64_t seed) {
-  particulate::kinematics::Particles cloud = random_cloud({.N = N, .spacing = 1.3, .speed = 0.2, .decades = 0.0}, seed);
+  particulate::kinematics::Particles cloud = random_cloud({.N = N, .spacing = 1.4, .speed = 0.2, .decades = 0.0}, seed);
   return {std::move(cloud), {}, {.alpha1 = 1.0, .alpha2 = 1.0, .beta1 = 2.0, .beta2 = 3.0}};
 }
 

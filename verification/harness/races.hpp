@@ -127,22 +127,24 @@ struct Steps {
 /// @param leg       time between two outputs [s]
 /// @param steps     how many in a leg
 /// @param multiple  that many times more: for methods that need fewer evaluations a step, or smaller steps
-/// @return step sizes, falling [s]
+/// @return step sizes, falling, no two alike [s]
 inline std::vector<double> step_sizes(double leg, const Steps& steps, int multiple = 1) {
   std::vector<double> sizes;
   for (int k = 0; k <= steps.times; ++k) {
     sizes.push_back(leg / std::round(multiple * steps.first * std::pow(steps.factor, k)));
   }
+  sizes.erase(std::unique(sizes.begin(), sizes.end()), sizes.end());
   return sizes;
 }
 
 /// What the references are asked for.
 ///
-/// @param tightest  the last, at most 1e-4 [-]
-/// @return two tolerances a decade, from 1e-4 on
-inline std::vector<double> tolerances(double tightest) {
+/// @param tightest  the last, at most the loosest [-]
+/// @param loosest   the first [-]
+/// @return two tolerances a decade
+inline std::vector<double> tolerances(double tightest, double loosest = 1e-4) {
   std::vector<double> all;
-  for (double exponent = -4.0; exponent >= std::log10(tightest) - 1e-9; exponent -= 0.5) {
+  for (double exponent = std::log10(loosest); exponent >= std::log10(tightest) - 1e-9; exponent -= 0.5) {
     all.push_back(std::pow(10.0, exponent));
   }
   return all;
@@ -155,12 +157,13 @@ inline std::vector<double> tolerances(double tightest) {
 /// @return begin(problem, start, tolerance)
 template <class Settings>
 auto by(Settings settings, double absolute_share = 1.0) {
-  return [=](auto& problem, const schemes::Motion& start, double tolerance) {
+  return [=](auto& problem, const auto& start, double tolerance) {
     Settings now = settings;
     now.relative = tolerance;
     now.absolute = absolute_share * tolerance;
-    return [integrator = particulate::reference::Integrator(problem, start, now)](
-               schemes::Motion& state, double t_end) mutable { return integrator.advance(state, t_end); };
+    return [integrator = particulate::reference::Integrator(problem, start, now)](auto& state, double t_end) mutable {
+      return integrator.advance(state, t_end);
+    };
   };
 }
 

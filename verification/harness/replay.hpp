@@ -59,6 +59,8 @@ struct Recorded {
     problem.jacobian(t, y, J);
     recording.jacobians.push_back(J);
   }
+  /// Forwards. @see particulate::schemes::Banded
+  schemes::Bandwidth bandwidth() const requires schemes::Banded<P> { return problem.bandwidth(); }
   /// Forwards. @see particulate::schemes::Measures
   double distance(schemes::In x, schemes::In y) const requires schemes::Measures<P> { return problem.distance(x, y); }
   /// Forwards, and counts what the jump asked for. @see particulate::schemes::Jumps
@@ -83,11 +85,12 @@ struct Recorded {
 
 /// The problem of a recording: the same answers in the same order, by copying alone, whatever state is asked about.
 ///
-/// Distances and jumps come from the problem itself: they are the integrator's questions, not right-hand sides.
+/// Distances, bandwidths and jumps come from the problem itself: they are the integrator's questions, not right-hand
+/// sides.
 template <class P>
 class Replayed {
  public:
-  /// @param problem    the problem that was recorded; asked for distances and jumps only
+  /// @param problem    the problem that was recorded; asked for distances, bandwidths and jumps only
   /// @param recording  its answers; must outlive this
   Replayed(P& problem, const Recording& recording) : problem_(problem), recording_(recording) {}
 
@@ -113,6 +116,8 @@ class Replayed {
     if (next_jacobian_ == recording_.jacobians.size()) refuse("Jacobians");
     J = recording_.jacobians[next_jacobian_++];
   }
+  /// Forwards. @see particulate::schemes::Banded
+  schemes::Bandwidth bandwidth() const requires schemes::Banded<P> { return problem_.bandwidth(); }
   /// Forwards. @see particulate::schemes::Measures
   double distance(schemes::In x, schemes::In y) const requires schemes::Measures<P> { return problem_.distance(x, y); }
   /// Forwards. @see particulate::schemes::Jumps

@@ -57,6 +57,7 @@ Table work_precision_table(const std::string& chapter, const std::vector<CaseRes
                "seconds_min", "seconds_median", "seconds_overhead", "evaluations", "iterations", "status"});
   for (const CaseResult& result : results) {
     for (const WorkPrecisionPoint& point : result.points) {
+      if (!point.timed) continue;
       table.add({chapter, point.problem, point.method, point.setting, point.tuned ? "yes" : "no",
                  point.errors ? Cell(point.errors->end) : Cell(), point.errors ? Cell(point.errors->max) : Cell(),
                  point.floor, point.reference, cell(point.seconds_min), cell(point.seconds_median),

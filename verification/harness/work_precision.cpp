@@ -81,14 +81,15 @@ WorkPrecisionPoint measured(const WorkPrecision& what, const Competitor& who, do
                            .seconds_median = {},
                            .seconds_overhead = {},
                            .counts = prepared.run(),
-                           .status = {}};
-  if (point.counts.failure.empty()) {
-    point.errors = prepared.errors();
+                           .status = {},
+                           .timed = what.timed};
+  if (point.counts.failure.empty()) { point.errors = prepared.errors(); }
+  if (point.counts.failure.empty() && what.timed) {
     const Timing run = time_of(prepared.run), replay = time_of(prepared.replay);
     point.repeats = run.repeats && replay.repeats && run.counts == point.counts && replay.counts == point.counts;
     point.seconds_min = run.minimum, point.seconds_median = run.median, point.seconds_overhead = replay.minimum;
   } else {
-    point.repeats = prepared.run() == point.counts;
+    point.repeats = (point.errors ? prepared.replay() : prepared.run()) == point.counts;
   }
   point.status = status_of(point);
   return point;
@@ -173,7 +174,7 @@ void judge_slope(Rows& rows, const WorkPrecision& what, const Competitor& who,
 }  // namespace
 
 void Rows::work_precision(const WorkPrecision& measurement) {
-  const auto& [problem, reference, floor, competitors] = measurement;
+  const auto& [problem, reference, floor, competitors, timed, no_ruler] = measurement;
   std::size_t total = 0, done = 0, rulers = 0;
   for (const Competitor& who : competitors) total += who.settings.size(), rulers += who.slope ? 1 : 0;
   if (!(floor > 0.0) || total == 0) {
@@ -200,9 +201,10 @@ void Rows::work_precision(const WorkPrecision& measurement) {
     points_.insert(points_.end(), points.begin(), points.end());
   }
   judge(*this, problem, offenders);
-  at_least(
-      problem + ": rulers, fixed steps of known slope",
-      {.limit = 1.0, .computed = static_cast<double>(rulers), .because = "a diagram without a ruler has no scale"});
+  at_least(problem + ": rulers, fixed steps of known slope",
+           {.limit = no_ruler.empty() ? 1.0 : 0.0,
+            .computed = static_cast<double>(rulers),
+            .because = no_ruler.empty() ? "a diagram without a ruler has no scale" : "none is asked for: " + no_ruler});
 }
 
 }  // namespace verification

@@ -58,6 +58,8 @@ struct WorkPrecision {
   std::string reference;                ///< what errors are measured against, and how good that is, in words
   double floor = 0.0;                   ///< error of that reference, > 0: points within 10 of it are marked "at floor"
   std::vector<Competitor> competitors;  ///< one of them, the ruler, with a slope
+  bool timed = true;                    ///< false: evaluations alone are wanted, of problems too large to repeat them
+  std::string no_ruler = {};            ///< why no method of fixed step can solve the problem; empty: one must
 };
 
 /// One line of work_precision.csv.
@@ -73,6 +75,7 @@ struct WorkPrecisionPoint {
   std::optional<double> seconds_overhead;  ///< fastest repeat with the right-hand side replayed [s]
   Counts counts;                           ///< as in every repeat
   std::string status;                      ///< "solved", "at floor" or "failed: reason"
+  bool timed = true;                       ///< else evaluations alone were wanted: not a line of work_precision.csv
   bool repeats = true;                     ///< every repeat, and the replay, had the same counts
 };
 

@@ -1,0 +1,119 @@
+// How the attained error follows the tolerance: the slope of its logarithm over that of TOL.
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <ch01_fundamentals/motions.hpp>
+#include <ch01_fundamentals/starts.hpp>
+#include <harness/case.hpp>
+#include <particulate/kinematics/breathing.hpp>
+#include <particulate/schemes/collocation.hpp>
+#include <particulate/schemes/error_control.hpp>
+
+#include "classical_problems.hpp"
+#include "linear_problems.hpp"
+
+namespace {
+
+using namespace particulate;
+using namespace particulate::schemes;
+using namespace verification;
+
+// Errors of one method over its tolerances.
+struct Followed {
+  std::vector<double> TOL, errors;
+};
+
+// Halves of decades; `error(TOL)` runs once.
+Followed follow(double loosest, double tightest, const std::function<double(double)>& error) {
+  Followed seen;
+  for (int k = 0; loosest * std::pow(10.0, -0.5 * k) > 0.99 * tightest; ++k) {
+    seen.TOL.push_back(loosest * std::pow(10.0, -0.5 * k));
+    seen.errors.push_back(error(seen.TOL.back()));
+  }
+  return seen;
+}
+
+// With an estimate ~ Dt^(q + 1) a step, the step goes as TOL^(1/(q + 1)), and the error at the end as Dt^p.
+template <class Nodes>
+void write(Rows& rows, const std::string& method, const Followed& seen, int q, const std::string& because) {
+  rows.at_least("decades of TOL, " + method, {.limit = 4.0,
+                                              .computed = std::log10(seen.TOL.front() / seen.TOL.back()) + 1e-9,
+                                              .because = "the catalogue asks for four"});
+  rows.compare("slope of log error over log TOL, " + method,
+               {.expected = Nodes::order / (q + 1.0),
+                .computed = fitted_order(seen.TOL, seen.errors),
+                .tolerance = absolute(0.15),
+                .because = because + "; whole steps, ten a curve, scatter the points by half a decade"});
+  double largest = 0.0;
+  for (std::size_t k = 0; k < seen.TOL.size(); ++k) keep_worst(largest, seen.errors[k] / seen.TOL[k]);
+  rows.at_most("largest error over TOL, " + method,
+               {.limit = 10.0, .computed = largest, .because = "some tens of steps, each within TOL, add up"});
+}
+
+// A pair that breathes and turns, for two radial periods and a bit: distance and its rate against Kepler's equation. It
+// never stands still, where the derivatives that the estimates see would vanish together.
+template <class Nodes>
+double error_of_motion(double TOL) {
+  constexpr double l_z = 1.2, t_end = 5.1;  // r^2 dphi/dt [m^2/s], [s]
+  const Eigen::Vector3d across{3.0 / 7.0, -6.0 / 7.0, 2.0 / 7.0};
+  const kinematics::Breathing exact(kinematics::breathing_pair(1.0, 0.25, 1.0, 1.0, l_z), 1.0);
+  kinematics::Particles start = pair_at_rest(1.0, 1.0, 1.0);
+  kinematics::set_vector(start.velocity, 0, -0.5 * l_z * across);
+  kinematics::set_vector(start.velocity, 1, 0.5 * l_z * across);
+  NearFieldScene scene(start, {}, {.alpha1 = 1.0, .alpha2 = 0.25, .beta1 = 2.0, .beta2 = 3.0});
+  Motion state = scenes::start(scene);
+  Collocation<Nodes> scheme;
+  ErrorControl control{.TOL = TOL, .sweep_TOL = 1e-2 * TOL, .step = 1e-2, .limit = t_end};
+  require_reached(integrate(scene, state, t_end, scheme, control));
+  const kinematics::Radial at = exact.at(t_end);
+  const double distance = distance_of_pair(state);
+  return std::hypot(distance - at.r, parting(state) / distance - at.v);
+}
+
+// The Oregonator's third substance, the slowest to forget, over one of its pulses.
+template <class Nodes>
+double error_of_reactions(double TOL) {
+  Oregonator problem;
+  Values state = Oregonator::start();
+  Collocation<Nodes, Newton<>> scheme;
+  ErrorControl control{
+      .TOL = TOL, .sweep_TOL = 1e-3 * TOL, .K_d = 3, .step = 1e-6, .limit = 360.0, .growth = 8.0, .worth = 1.2};
+  require_reached(integrate(problem, state, 360.0, scheme, control));
+  double worst = 0.0;
+  const double digits[] = {1.000814870318523, 1228.178521549917, 132.0554942846706};
+  for (Eigen::Index k = 0; k < 3; ++k) worst = std::max(worst, std::abs(state.y[k] / digits[k] - 1.0));
+  return worst;
+}
+
+template <class Nodes>
+void compare_motion(Rows& rows, const std::string& method) {
+  write<Nodes>(rows, method, follow(1e-4, 1e-9, error_of_motion<Nodes>), Nodes::order,
+               "p/(p + 1): the estimate has the order p of the method, error per step");
+}
+
+template <class Nodes>
+void compare_reactions(Rows& rows, const std::string& method, double loosest, double tightest) {
+  write<Nodes>(rows, method, follow(loosest, tightest, error_of_reactions<Nodes>), Nodes::stages,
+               "p/(s + 1): the estimate has order s, the method p = 2 s - 1, so that errors fall faster than TOL");
+}
+
+const Case tolerance_proportionality{
+    {.name = "tolerance_proportionality",
+     .claim = "the attained error follows TOL with the power that the orders of method and estimate give",
+     .equation = "D 3.4",
+     .reference = Reference::convergence},
+    [](Rows& rows) {
+      compare_motion<Gauss<2>>(rows, "Gauss 2");
+      compare_motion<Gauss<4>>(rows, "Gauss 4");
+      compare_motion<Gauss<6>>(rows, "Gauss 6");
+      compare_motion<Gauss<8>>(rows, "Gauss 8");
+      compare_motion<Radau<3>>(rows, "Radau 3, fixed point");
+      compare_reactions<Radau<3>>(rows, "Radau 3, Newton", 1e-3, 1e-8);
+      compare_reactions<Radau<5>>(rows, "Radau 5, Newton", 1e-2, 1e-6);
+    }};
+
+}  // namespace

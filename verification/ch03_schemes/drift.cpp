@@ -1,0 +1,210 @@
+// Energy and angular momentum of a breathing polygon over many steps, by methods that cost the same.
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include <ch01_fundamentals/motions.hpp>
+#include <ch01_fundamentals/starts.hpp>
+#include <harness/case.hpp>
+#include <particulate/kinematics/breathing.hpp>
+#include <particulate/reference/integrator.hpp>
+#include <particulate/report/table.hpp>
+#include <particulate/schemes/collocation.hpp>
+#include <particulate/schemes/phi_family.hpp>
+#include <particulate/schemes/verlet.hpp>
+
+#include "linear_problems.hpp"
+
+namespace {
+
+using namespace particulate;
+using namespace particulate::schemes;
+using namespace verification;
+
+constexpr double alpha2 = 0.5, step = 0.02;
+constexpr int samples = 40;
+
+NearFieldScene triangle() {
+  return {at_rest(kinematics::regular_polygon(3), 1.0, Eigen::VectorXd::Ones(3)),
+          {},
+          {.alpha1 = 1.0, .alpha2 = alpha2, .beta1 = 2.0, .beta2 = 3.0}};
+}
+
+// Turning as it breathes. A pair alone has an energy of -alpha1^2/(2 alpha2) = -1 J at least; with less than that in
+// all no body can leave, and none comes nearer to another than 0.22 m.
+Motion turning(const NearFieldScene& scene, double spin) {
+  Motion start = scenes::start(scene);
+  const Eigen::Index n = 3;
+  start.v.head(n) = -spin * start.r.segment(n, n);
+  start.v.segment(n, n) = spin * start.r.head(n);
+  return start;
+}
+
+// What the motion must keep, in extended precision: three unit masses.
+struct Kept {
+  long double energy = 0.0L, spin = 0.0L;
+};
+Kept kept(const Motion& at) {
+  Kept sum;
+  const auto r = [&](Eigen::Index i, Eigen::Index axis) -> long double { return at.r[3 * axis + i]; };
+  const auto v = [&](Eigen::Index i, Eigen::Index axis) -> long double { return at.v[3 * axis + i]; };
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    sum.spin += r(i, 0) * v(i, 1) - r(i, 1) * v(i, 0);
+    for (Eigen::Index axis = 0; axis < 3; ++axis) sum.energy += 0.5L * v(i, axis) * v(i, axis);
+    for (Eigen::Index j = 0; j < i; ++j) {
+      const long double x = r(i, 0) - r(j, 0), y = r(i, 1) - r(j, 1), z = r(i, 2) - r(j, 2);
+      const long double d2 = x * x + y * y + z * z;
+      sum.energy += alpha2 / (2.0L * d2) - 1.0L / std::sqrt(d2);
+    }
+  }
+  return sum;
+}
+
+// Relative changes of energy and angular momentum at equal distances in time.
+struct Drift {
+  std::vector<double> t, energy, spin;
+  long evaluations = 0;
+};
+
+double largest(const std::vector<double>& of) {
+  double worst = 0.0;
+  for (const double x : of) keep_worst(worst, std::abs(x));
+  return worst;
+}
+
+// `advance(state, t)` moves the state on and returns an Outcome.
+template <class Advance>
+Drift drift_of(Motion state, double t_end, const Advance& advance) {
+  Drift seen;
+  const Kept before = kept(state);
+  for (int k = 1; k <= samples; ++k) {
+    const Outcome outcome = advance(state, t_end * k / samples);
+    require_reached(outcome);
+    seen.evaluations += outcome.evaluations;
+    const Kept now = kept(state);
+    seen.t.push_back(state.t);
+    seen.energy.push_back(static_cast<double>((now.energy - before.energy) / -before.energy));
+    seen.spin.push_back(static_cast<double>((now.spin - before.spin) / before.spin));
+  }
+  return seen;
+}
+
+template <class S, class C>
+Drift by_scheme(double spin, double t_end, S scheme, C control) {
+  NearFieldScene scene = triangle();
+  return drift_of(turning(scene, spin), t_end,
+                  [&](Motion& state, double t) { return integrate(scene, state, t, scheme, control); });
+}
+
+Drift by_cvode(double spin, double t_end, double tolerance) {
+  NearFieldScene scene = triangle();
+  const Motion start = turning(scene, spin);
+  reference::Integrator adams(scene, start,
+                              reference::Adams{.relative = tolerance, .absolute = tolerance, .max_steps = 100'000'000});
+  return drift_of(start, t_end, [&](Motion& state, double t) { return adams.advance(state, t); });
+}
+
+// All of them over the same time, at the cost of Gauss with sweeps to rounding.
+struct Methods {
+  Drift gauss, plain, verlet, euler;
+};
+Methods methods(double spin, double t_end) {
+  Methods of;
+  of.gauss = by_scheme(spin, t_end, Collocation<Gauss<6>>(), FixedStep{.step = step});
+  of.plain = by_scheme(spin, t_end, Collocation<Gauss<6>>({.compensated = false}), FixedStep{.step = step});
+  const double alone = t_end / static_cast<double>(of.gauss.evaluations);
+  of.verlet = by_scheme(spin, t_end, VelocityVerlet(), FixedStep{.step = alone});
+  of.euler = by_scheme(spin, t_end, BackwardEuler(), FixedStep{.step = 4.0 * alone, .TOL = 1e-6});
+  return of;
+}
+
+void write_curves(Rows& rows, const Methods& of, const Drift& cvode) {
+  report::Table table({"t [s]", "energy, Gauss [-]", "energy, Gauss without compensation [-]", "energy, Verlet [-]",
+                       "energy, backward Euler [-]", "energy, CVODE [-]", "spin, Gauss [-]", "spin, CVODE [-]"});
+  for (std::size_t k = 0; k < of.gauss.t.size(); ++k) {
+    table.add({of.gauss.t[k], of.gauss.energy[k], of.plain.energy[k], of.verlet.energy[k], of.euler.energy[k],
+               cvode.energy[k], of.gauss.spin[k], cvode.spin[k]});
+  }
+  rows.write("drift", table);
+}
+
+void compare_gauss(Rows& rows, const std::string& at, const Methods& of, double steps) {
+  const double walk = std::sqrt(steps) * eps;
+  rows.at_most("energy, Gauss 6, relative drift" + at,
+               {.limit = walk,
+                .computed = largest(of.gauss.energy),
+                .because = "rounding adds up like the steps of a random walk, of which compensation leaves a part"});
+  rows.at_most("angular momentum, Gauss 6, relative drift" + at,
+               {.limit = walk,
+                .computed = largest(of.gauss.spin),
+                .because = "Gauss keeps what is quadratic; the rest as for the energy"});
+  rows.at_most("angular momentum, Gauss 6 without compensation, relative drift" + at,
+               {.limit = 5.0 * walk,
+                .computed = largest(of.plain.spin),
+                .because = "one rounding of each of six numbers in every step, at random: no more than the root of "
+                           "their number"});
+}
+
+void compare_others(Rows& rows, const std::string& at, const Methods& of) {
+  const double verlet_steps = static_cast<double>(of.gauss.evaluations);
+  rows.at_most("energy, Verlet, relative drift" + at,
+               {.limit = 3e-4,
+                .computed = largest(of.verlet.energy),
+                .because = "bounded: at the nearest, 0.22 m, where omega = 29/s, it is off by (omega h)^2/8 = 2e-4 of "
+                           "what the potential is there"});
+  rows.at_most("angular momentum, Verlet, relative drift" + at, {.limit = 5.0 * std::sqrt(verlet_steps) * eps,
+                                                                 .computed = largest(of.verlet.spin),
+                                                                 .because = "kept but for rounding at random"});
+  int rose = 0;
+  for (std::size_t k = 1; k < of.euler.energy.size(); ++k) {
+    rose += static_cast<int>(!(of.euler.energy[k] <= of.euler.energy[k - 1] + 1e-4));
+  }
+  rows.equal("moments at which backward Euler has more energy than before" + at,
+             {.expected = 0, .computed = rose, .because = "it damps"});
+  rows.at_most("energy that backward Euler leaves, relative change" + at,
+               {.limit = -0.8,
+                .computed = of.euler.energy.back(),
+                .because = "the lowest potential is -3 J, all distances 0.5 m: a change of about -1.05 from -1.47 J"});
+}
+
+const Case drift{
+    {.name = "drift",
+     .claim = "over 1e5 steps of a breathing polygon Gauss collocation keeps energy and angular momentum to rounding "
+              "that adds up at random, and less of it with compensated sums; Verlet keeps them nearby, backward Euler "
+              "damps, and CVODE drifts",
+     .equation = "D 3.4",
+     .reference = Reference::identity},
+    [](Rows& rows) {
+      const double steps = rows.quick() ? 1e4 : 1e5, t_end = steps * step;
+      double with = 0.0, without = 0.0, number = 0.0;
+      for (const double spin : {0.15, 0.2, 0.25}) {
+        const Methods of = methods(spin, t_end);
+        const std::string at = fmt::format(", {:g} steps, spin {}", steps, spin);
+        compare_gauss(rows, at, of, steps);
+        compare_others(rows, at, of);
+        for (const double x : of.gauss.spin) with += x * x;
+        for (const double x : of.plain.spin) without += x * x, number += 1.0;
+        if (spin != 0.2) continue;
+        const Drift cvode = by_cvode(spin, t_end, 1e-14);
+        write_curves(rows, of, cvode);
+        rows.at_least("angular momentum, drift of CVODE Adams at 1e-14 over that of Gauss 6" + at,
+                      {.limit = 100.0,
+                       .computed = largest(cvode.spin) / largest(of.gauss.spin),
+                       .because = "nothing but its tolerance keeps it"});
+        rows.at_least(
+            "right-hand sides of CVODE over those of Gauss 6" + at,
+            {.limit = 0.25,
+             .computed = static_cast<double>(cvode.evaluations) / static_cast<double>(of.gauss.evaluations),
+             .because = "a similar cost: a tighter tolerance is below rounding, and does not buy less drift"});
+      }
+      rows.at_least("angular momentum, root mean square without compensation over that with it",
+                    {.limit = 4.0,
+                     .computed = std::sqrt(without / with),
+                     .because = "what rounding takes from the state is kept and added again"});
+      rows.at_least("moments compared", {.limit = 3.0 * samples, .computed = number, .because = "three motions"});
+    }};
+
+}  // namespace
