@@ -1,7 +1,7 @@
 # The programs of an assignment, for the project beside this file and for the tests of the whole project.
 #
 # An assignment stands in chapters/<chNN_slug>/assignment: README.md, <noun>.hpp (the header to keep), <noun>.cpp (what
-# is handed in, with holes), driver.cpp and check.cpp. Its folder is found by its chapter.
+# is handed in, with holes), driver.cpp and check.cpp, if it is long in several check*.cpp. Its folder is found by its chapter.
 get_filename_component(assignments_root "${CMAKE_CURRENT_LIST_DIR}/../.." ABSOLUTE)
 
 # What the checks compare with: the topics of the library that check.cpp includes, and the sources of theirs that it needs.
@@ -10,7 +10,7 @@ set(assignment_sources_ch01 kinematics/central_force)
 set(assignment_topics_ch02 kinematics contact)
 set(assignment_sources_ch02 contact/friction contact/impact)
 set(assignment_topics_ch03 schemes)
-set(assignment_sources_ch03 schemes/iteration schemes/phi_control)
+set(assignment_sources_ch03 schemes/collocation schemes/collocation_table schemes/iteration schemes/phi_control)
 
 # assignment_library(<chNN> <variable>): the targets that hold what the check compares with. In the project's own build
 # they are the topics; alone, a library of the few sources that are needed, which compiles in seconds.
@@ -59,7 +59,8 @@ function(assignment_check chapter)
     target_link_libraries(assignment_grading PUBLIC fmt::fmt)
     target_compile_features(assignment_grading PUBLIC cxx_std_20)
   endif()
-  add_executable(check_${chapter} EXCLUDE_FROM_ALL "${folder}/check.cpp")
+  file(GLOB checks CONFIGURE_DEPENDS "${folder}/check*.cpp")
+  add_executable(check_${chapter} EXCLUDE_FROM_ALL ${checks})
   target_link_libraries(check_${chapter} PRIVATE assignment_grading ${library})
 
   add_library(driver_${chapter} OBJECT EXCLUDE_FROM_ALL "${folder}/driver.cpp")

@@ -12,16 +12,16 @@
 //!
 //! Four questions follow. What does implicitness buy, if it is solved in this way? How fast do the sweeps settle? What
 //! does a step that is steered by them promise about the answer, and what not? And what changes when several fields
-//! are solved in turn (7.5.1, 7.5.2)? Build and run it alone with
+//! are solved in turn (7.5.1, 7.5.2)? The second half of the program, @subpage ch03_family, takes the same sweeps to
+//! high order. Build and run both with
 //!
 //! @verbatim
 //! cmake --preset release && cmake --build --preset release --target ch03_schemes
 //! build/release/bin/ch03_schemes --out ch03
 //! @endverbatim
 //!
-//! It takes less than a second. Every parameter below is an option (`--help` lists them), a run
-//! writes the `parameters.toml` that repeats it, and the exit status says whether every check at the end of this page
-//! held.
+//! It takes some seconds. Every parameter below is an option (`--help` lists them), a run writes the `parameters.toml`
+//! that repeats it, and the exit status says whether every check at the end of either page held.
 //!
 //! @section ch03_program The program
 //!
@@ -58,6 +58,8 @@
 #include <particulate/schemes/runge_kutta.hpp>
 #include <particulate/schemes/staggering.hpp>
 #include <particulate/schemes/verlet.hpp>
+
+#include "ch03_family.hpp"
 
 namespace {
 
@@ -166,10 +168,13 @@ std::vector<Sweep> sweep_by_hand(Scheme scheme, Problem problem, const State& fr
 
 int run(int argc, char** argv) {
   Parameters p;
-  report::CommandLine line({.name = "ch03_schemes",
-                            .summary = "Chapter 3: implicit steps, their sweeps, adaptive steps, staggered fields.",
-                            .out = "ch03"});
+  ch03::Family family;
+  report::CommandLine line(
+      {.name = "ch03_schemes",
+       .summary = "Chapter 3: implicit steps, their sweeps, their control, staggered fields, high order.",
+       .out = "ch03"});
   describe(line, p);
+  ch03::describe(line, family);
   if (const std::optional<int> status = line.parse(argc, argv)) return *status;
   const report::Output output(line.common().out);
   const bool quick = line.common().quick;
@@ -238,11 +243,11 @@ int run(int argc, char** argv) {
   //!
   //! @table{ch03_factors}
   //!
-  //! This is the trade-off of the whole chapter. Unconditional stability belongs to the *equation* of an implicit step,
-  //! not to the iteration that solves it, and near the limit the sweeps become many. The library never hands back an
-  //! iterate that has not settled: the outcome is a refusal with its reason. Sweeps may also be mixed, each guess made
-  //! from the last few (particulate::schemes::Anderson, @cite walker2011). That solves a linear equation in
-  //! little more sweeps than it has different eigenvalues, whether they contract or not.
+  //! This is the trade-off of the whole chapter: unconditional stability belongs to the *equation* of an implicit step,
+  //! not to the iteration that solves it. The library never hands back an iterate that has not settled: the outcome is a
+  //! refusal with its reason. Sweeps may also be mixed, each guess made from the last few
+  //! (particulate::schemes::Anderson, @cite walker2011), which solves a linear equation in little more sweeps than it has
+  //! different eigenvalues, whether they contract or not.
   //!
   //! @section ch03_regions 2. Regions of stability, regions of contraction
   //!
@@ -337,11 +342,11 @@ int run(int argc, char** argv) {
 
   //! @table{ch03_limits}
   //!
-  //! A contraction above one is a divergence. Backward Euler's limit is \f$ \omega\,\Delta t < 1 \f$; that of
-  //! \f$ \phi = 1/2 \f$ is \f$ \omega\,\Delta t < 2 \f$, and there also ends the explicit velocity Verlet method, which
-  //! is of second order as well and needs one force a step instead of one a sweep. So on a smooth problem the sweeps
-  //! buy nothing that Verlet does not give. What they buy is a built-in test of the step, which the next section uses,
-  //! and freedom in what the forces depend on.
+  //! Backward Euler's limit is \f$ \omega\,\Delta t < 1 \f$; that of \f$ \phi = 1/2 \f$ is \f$ \omega\,\Delta t < 2
+  //! \f$, and there also ends the explicit velocity Verlet method, which is of second order as well and needs one force a
+  //! step instead of one a sweep. At second order sweeps buy no accuracy on a smooth problem. What they buy is a
+  //! built-in test of the step, which the next section uses, freedom in what the forces depend on, and, in
+  //! @ref ch03_family "the second half", order.
   //!
   //! Now several springs in one problem, their frequencies evenly spaced up to \f$ \omega \f$. The softer ones settle
   //! first, then the stiffest sets the slope, for the whole system:
@@ -462,11 +467,11 @@ int run(int argc, char** argv) {
 
   //! @figure{ch03_steps, A steered pair about its turn: its separation\, the steps (accepted\, and refused ones as crosses)\, and the contraction of the sweeps beside the one that the controller aims at.}
   //!
-  //! While the bodies fall, the sweeps settle early and \f$ \Delta t_{lim} \f$ rules. On the way in the repulsion
-  //! stiffens from step to step. \f$ \Phi_K \f$ knows only the step it has seen, so each one is tried too long, refused
-  //! and made again. On the way out the surprise is a pleasant one and steps grow as fast as they may. In between they
-  //! are what the sweeps can bear, \f$ \Delta t \propto 1/\omega \f$, without anybody having named a frequency: that is
-  //! what the algorithm is for. The same run with other tolerances and other \f$ K_d \f$:
+  //! While the bodies fall, \f$ \Delta t_{lim} \f$ rules. On the way in the repulsion stiffens from step to step, and
+  //! \f$ \Phi_K \f$ knows only the step it has seen: each one is tried too long, refused and made again. On the way out
+  //! steps grow as fast as they may. In between they are what the sweeps can bear, \f$ \Delta t \propto 1/\omega \f$,
+  //! without anybody having named a frequency: that is what the algorithm is for. The same run with other tolerances and
+  //! other \f$ K_d \f$:
 
   report::Table counts({"TOL [-]", "K_d", "steps", "refused", "sweeps", "sweeps per step", "shortest step [periods]",
                         "largest error [m]"});
@@ -663,22 +668,9 @@ int run(int argc, char** argv) {
   //! At the fixed step the run refuses, with the contraction it measured, which is the formula's, and the step it
   //! needs. Relaxation solves the step as it stands: only one number is carried from sweep to sweep, so Aitken's method
   //! is the secant method, which does not ask for a contraction. Steering shortens the step until the sweeps do their
-  //! work in \f$ K_d \f$ contractions. Since the motion is alike at all times, the step hovers at the longest one that
-  //! works, and many are tried a hair too long. With equal tolerances the first field rules most steps; tighten one,
-  //! and that one does. The last column is the distance from both fields solved at once over the same steps: whatever
-  //! the way, it is the same backward Euler step, with its own truncation error, of which section 5 holds unchanged.
-  //!
-  //! @section ch03_work 7. Error against run time
-  //!
-  //! The verification program puts these schemes beside velocity Verlet, Runge-Kutta and SUNDIALS, on problems from one
-  //! spring to a hundred particles, and draws the attained error against seconds and against right-hand sides:
-  //! @ref guide_ch03_work. Four things are worth looking for. The slopes: backward Euler pays one digit with ten times
-  //! the steps, \f$ \phi = 1/2 \f$ and Verlet with about three times as many. The distance between these two: a sweep
-  //! costs what a step of Verlet costs, so at equal cost Verlet's error is roughly an order of magnitude smaller. The
-  //! mixed sweeps: they save forces where steps are long and contraction is poor, and nothing where steps are short.
-  //! And the far end: from a few digits on, methods of high order that choose their step by the error of the time
-  //! discretization leave all of these behind, most of all where bodies pass close by one another, since a fixed step
-  //! pays for that moment at all times.
+  //! work in \f$ K_d \f$ contractions; many are tried a hair too long. With equal tolerances the first field rules most
+  //! steps; tighten one, and that one does. The last column is the distance from both fields solved at once over the same
+  //! steps: whatever the way, it is the same backward Euler step, of which section 5 holds unchanged.
   //!
   //! @section ch03_results What held
   //!
@@ -687,10 +679,12 @@ int run(int argc, char** argv) {
   //! stop at TOL in each of their steps, so their sum may be off by many TOL.
 
   output.write("checks", checks.table());
+  const report::Checks of_family = ch03::run(family, output, quick);
   line.write_parameters();
-  report::write_stamp(output.folder(), report::make_stamp(line.line(), line.common().seed, "baseline"));
-  fmt::print("{}", checks.table().text());
-  return checks.all_hold() ? EXIT_SUCCESS : EXIT_FAILURE;
+  const std::string kernel(contact::name(contact::best_kernel()));
+  report::write_stamp(output.folder(), report::make_stamp(line.line(), line.common().seed, kernel));
+  fmt::print("{}\n{}", checks.table().text(), of_family.table().text());
+  return checks.all_hold() && of_family.all_hold() ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
 }  // namespace

@@ -162,3 +162,184 @@ plot x*x with lines lt 1 lw 1.4 notitle, x with lines lt 2 lw 1.4 notitle, x**4 
      '' skip 1 using 1:4 with points lt 3 title 'second order, newest', \
      '' skip 1 using 1:5 with points lt 1 pt 6 ps 1.2 title 'second order, previous', \
      '' skip 1 using 1:6 with points lt 4 title 'decaying, newest'
+
+# The second half: the family of high order.
+reset_axes = "unset logscale; unset label; unset title; set autoscale; set format xy '%g'; set xtics autofreq; set ytics autofreq; set key default; set key samplen 2 spacing 1.15 reverse Left; set lmargin -1"
+
+@reset_axes
+set terminal svg size 640,520 dynamic enhanced font 'sans-serif,14' background '#ffffff' rounded
+set output 'ch03_family_orders.svg'
+set logscale xy
+set format y '10^{%L}'
+set xlabel 'steps per period'
+set ylabel 'largest error [m]'
+set xrange [4:3000]
+set yrange [2e-16:5]
+set key outside right center vertical
+plot file('family_orders') skip 1 using 1:10 with lines lt 2 dt (6,4) title 'Radau 1', \
+     '' skip 1 using 1:11 with lines lt 3 dt (6,4) title 'Radau 2', \
+     '' skip 1 using 1:12 with lines lt 4 dt (6,4) title 'Radau 3', \
+     for [s = 1:8] '' skip 1 using 1:s+1 with linespoints lt 1 + (s - 1) % 5 ps 0.4 title sprintf('Gauss %d', s)
+
+@reset_axes
+set terminal svg size 640,420 dynamic enhanced font 'sans-serif,14' background '#ffffff' rounded
+set output 'ch03_family_guesses.svg'
+set logscale y
+set format y '10^{%L}'
+set xlabel 'sweep'
+set ylabel 'change'
+set yrange [1e-17:10]
+set key top right
+positive(c) = column(c) > 0 ? column(c) : NaN
+plot file('family_guesses') skip 1 using 1:(positive(2)) with linespoints lt 1 title 'simultaneous, free flight', \
+     '' skip 1 using 1:(positive(3)) with linespoints lt 2 title 'sequential, free flight', \
+     '' skip 1 using 1:(positive(4)) with linespoints lt 3 title 'simultaneous, extrapolated', \
+     '' skip 1 using 1:(positive(5)) with linespoints lt 4 title 'sequential, extrapolated'
+
+@reset_axes
+grid = "< awk -F, 'NR > 1 { if (NR > 2 && $1 != last) print \"\"; last = $1; print }' ".file('family_regions')
+set contour base
+unset surface
+set cntrparam levels discrete 1
+set datafile separator comma
+do for [c = 3:9] {
+  set table sprintf('family_%d.dat', c)
+  splot grid using 1:2:c
+  unset table
+}
+unset contour
+set surface
+set datafile separator whitespace
+set terminal svg size 760,400 dynamic enhanced font 'sans-serif,14' background '#ffffff' rounded
+set output 'ch03_family_regions.svg'
+set multiplot layout 1,2 margins 0.08,0.98,0.18,0.9 spacing 0.1
+set size ratio -1
+set xlabel 'Re z'
+set ylabel 'Im z'
+set xrange [-10:6]
+set yrange [0:11]
+family(c) = sprintf('family_%d.dat', c)
+unset key
+set title 'all stages at once'
+plot family(3) using 1:2 with lines lt 1, family(4) using 1:2 with lines lt 2, family(5) using 1:2 with lines lt 3, \
+     family(6) using 1:2 with lines lt 4
+set title 'in turn'
+set key at screen 0.98, screen 0.88 right top
+plot family(3) using 1:2 with lines lt 1 title 's = 1', family(7) using 1:2 with lines lt 2 title 's = 2', \
+     family(8) using 1:2 with lines lt 3 title 's = 4', family(9) using 1:2 with lines lt 4 title 's = 8'
+unset multiplot
+set datafile separator comma
+set size noratio
+
+@reset_axes
+set output 'ch03_family_stability.svg'
+set multiplot layout 1,2 margins 0.1,0.98,0.18,0.9 spacing 0.06
+set logscale x
+set xlabel '|z|'
+set xrange [0.1:1000]
+set yrange [0:1.1]
+set ylabel 'factor'
+unset key
+set title 'decay, z < 0'
+plot file('family_stability') skip 1 using 1:2 with linespoints lt 1 ps 0.5, \
+     '' skip 1 using 1:3 with linespoints lt 2 ps 0.5, '' skip 1 using 1:4 with linespoints lt 3 ps 0.5, \
+     exp(-x) with lines lt 7
+unset ylabel
+set format y ''
+set title 'oscillation, Re z = 0'
+set key bottom left
+plot file('family_stability') skip 1 using 1:5 with linespoints lt 1 ps 0.5 title 'Gauss 2', \
+     '' skip 1 using 1:6 with linespoints lt 2 ps 0.5 title 'Radau 1', \
+     '' skip 1 using 1:7 with linespoints lt 3 ps 0.5 title 'Radau 2', \
+     NaN with lines lt 7 title 'exact', 1 with lines lt 7 notitle
+unset multiplot
+
+@reset_axes
+set terminal svg size 640,520 dynamic enhanced font 'sans-serif,14' background '#ffffff' rounded
+set output 'ch03_family_leaps.svg'
+set multiplot layout 2,1 margins 0.14,0.97,0.12,0.97 spacing 0.05
+unset key
+unset xlabel
+set format x ''
+set ylabel 'y'
+set yrange [-2.4:2.4]
+plot file('family_leaps') skip 1 using 1:2 with linespoints lt 1 ps 0.3
+set format x '%g'
+set xlabel 't [s]'
+set ylabel 'step [s]'
+set autoscale y
+set logscale y
+set format y '10^{%L}'
+plot file('family_leaps') skip 1 using 1:3 with points lt 2 ps 0.4
+unset multiplot
+
+@reset_axes
+set terminal svg size 640,680 dynamic enhanced font 'sans-serif,14' background '#ffffff' rounded
+set output 'ch03_family_passage.svg'
+set multiplot layout 3,1 margins 0.14,0.97,0.1,0.98 spacing 0.05
+# A fourth root stretches the passage and keeps zero in the middle, which a logarithmic scale has not.
+root(t) = t < 0 ? -(-t)**0.25 : t**0.25
+set xrange [-0.86:0.86]
+set xtics ('−0.1' -0.5623, '−10^{−3}' -0.1778, '0' 0, '10^{−3}' 0.1778, '0.1' 0.5623)
+unset xlabel
+set format x ''
+set logscale y
+set format y '10^{%L}'
+set ylabel 'step [periods]'
+set key top center
+plot file('family_passage') skip 1 using (root($1)):2 with points lt 1 ps 0.5 title 'accepted', \
+     '' skip 1 using (root($1)):3 with points lt 2 pt 2 title 'refused'
+set ylabel 'estimate/TOL'
+set yrange [1e-7:1e5]
+unset key
+plot file('family_passage') skip 1 using (root($1)):($2 > 0 ? $4 : NaN) with points lt 1 ps 0.5 title 'accepted', \
+     '' skip 1 using (root($1)):($3 > 0 ? $4 : NaN) with points lt 2 pt 2 title 'refused', 1 with lines lt 7 notitle
+set xlabel 'time from the passage [periods], stretched'
+set ylabel 'factor'
+set yrange [0.2:1e5]
+set key on top center
+plot file('family_passage') skip 1 using (root($1)):5 with points lt 3 ps 0.5 title 'Φ_K, by the sweeps', \
+     '' skip 1 using (root($1)):6 with points lt 4 ps 0.5 title 'by the estimate', 1 with lines lt 7 notitle
+unset multiplot
+
+@reset_axes
+set terminal svg size 760,420 dynamic enhanced font 'sans-serif,14' background '#ffffff' rounded
+set output 'ch03_family_located.svg'
+set multiplot layout 1,2 margins 0.1,0.98,0.16,0.9 spacing 0.1
+set logscale xy
+set format y '10^{%L}'
+set xlabel 'steps per period'
+set ylabel 'error [s]'
+set xrange [14:200]
+set yrange [1e-17:1e7]
+set xtics (20, 50, 100, 200)
+set key top left
+set title 'a separation is reached'
+floor_at(c) = column(c) > 1e-16 ? column(c) : 1e-16
+plot file('family_events') skip 1 using 1:2 with linespoints lt 1 title 'end of the step', \
+     '' skip 1 using 1:3 with linespoints lt 2 title 'read off', \
+     '' skip 1 using 1:(floor_at(4)) with linespoints lt 3 title 'located'
+set title 'three impacts of a ball'
+set xlabel 'step [s]'
+unset ylabel
+set xtics autofreq
+set format x '10^{%L}'
+set xrange [3e-5:0.1]
+plot file('family_bounces') skip 1 using 1:2 with linespoints lt 1 title 'stepped', \
+     '' skip 1 using 1:(floor_at(3)) with linespoints lt 3 title 'located'
+unset multiplot
+
+@reset_axes
+set terminal svg size 640,420 dynamic enhanced font 'sans-serif,14' background '#ffffff' rounded
+set output 'ch03_family_energies.svg'
+set logscale y
+set format y '10^{%L}'
+set xlabel 'period'
+set ylabel 'relative error of energy'
+set xrange [1:*]
+set yrange [*:10]
+set key outside top center vertical maxrows 2
+plot file('family_energies') skip 1 using 1:5 with lines lt 2 title 'backward Euler', \
+     '' skip 1 using 1:4 with lines lt 3 title 'Verlet', \
+     '' skip 1 using 1:3 with lines lt 4 title 'Gauss 4, two sweeps', \
+     '' skip 1 using 1:2 with lines lt 1 title 'Gauss 4, to rounding'

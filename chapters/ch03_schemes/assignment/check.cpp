@@ -20,6 +20,12 @@ using grading::Line;
 using grading::Mistake;
 using grading::Question;
 
+/// What a step of two stages must give; it stands in check_gauss.cpp.
+/// @param variant  without meaning here
+/// @param draw     numbers of the student
+/// @return the line
+Line gauss_step(int variant, Draw& draw);
+
 namespace {
 
 namespace schemes = particulate::schemes;
@@ -254,7 +260,7 @@ Line exact_case(int variant, Draw& draw) {
   for (Field& field : late.fields) field.w_K *= draw.between(20.0, 100.0);
   Step one_late = step(variant, K_d, K_d, draw);
   one_late.fields.back().w_K *= draw.between(20.0, 100.0);
-  Line line{.name = "exact case: steps that converge early, steps that do not", .points = 5.0, .relative = 1e-10};
+  Line line{.name = "exact case: steps that converge early, steps that do not", .points = 4.0, .relative = 1e-10};
   for (const Field& field : early.fields) line.questions.push_back(ask_factor(field, K_d));
   for (const Field& field : late.fields) line.questions.push_back(ask_factor(field, K_d));
   // In this order each mistake first shows where no other one gives the same answer.
@@ -281,7 +287,7 @@ Line limit_case(int variant, Draw& draw) {
   // Its sweeps diverge, and it stands all the same.
   Step slow = step(variant, 2, 8, draw);
   for (Field& field : slow.fields) field.w_0 = draw.between(0.05, 0.1) * field.TOL;
-  Line line{.name = "limit case: TOL met exactly, and each bound", .points = 5.0, .relative = 1e-10};
+  Line line{.name = "limit case: TOL met exactly, and each bound", .points = 4.0, .relative = 1e-10};
   line.questions = {ask_factor(limited.fields.front(), limited.control.K_d), ask_factor(met.fields.front(), K_d)};
   for (const Step& step : {grows, limited, met, slow, barely}) line.questions.push_back(ask_decision(step));
   return line;
@@ -391,7 +397,7 @@ Line order(int variant, Draw& draw) {
   // On the first the motion rules, on the second the temperature.
   const double small = draw.between(0.04, 0.06), large = draw.between(0.6, 0.8);
   const std::vector<Trial> trials{trial(variant, small, small, draw), trial(variant, 0.5 * large, large, draw)};
-  Line line{.name = "order: the library sweeps with your next step, and meets TOL in K_d contractions", .points = 5.0};
+  Line line{.name = "order: the library sweeps with your next step, and meets TOL in K_d contractions", .points = 4.0};
   // Sweeps that have converged to TOL keep so many digits of their last change.
   line.relative = 1e-6;
   for (const Trial& trial : trials) {
@@ -450,7 +456,7 @@ Line extreme_case(int variant, Draw& draw) {
   Step sharp = step(variant, 4, 6, draw);
   sharp.control.growth = 50.0;
   for (Field& field : sharp.fields) field = {.w_0 = 1e-3, .w_K = 1e-16, .K = 4, .p = field.p, .TOL = 1e-15};
-  Line line{.name = "extreme case: divergence, overflow, nothing moves, TOL = 1e-15", .points = 5.0, .relative = 1e-10};
+  Line line{.name = "extreme case: divergence, overflow, nothing moves, TOL = 1e-15", .points = 4.0, .relative = 1e-10};
   line.questions = {ask_factor(sharp.fields.front(), 6)};
   for (const Step& step : {exactly, rests, stays, at_once}) line.questions.push_back(ask_factor(step.fields.back(), 8));
   for (const Step& step : {sharp, diverges, overflows}) line.questions.push_back(ask_decision(step));
@@ -469,7 +475,7 @@ Line extreme_case(int variant, Draw& draw) {
 int main(int argc, char** argv) {
   return grading::run(
       argc, argv,
-      {.title = "Chapter 3: the step size from the sweeps",
+      {.title = "Chapter 3: the step size from the sweeps, and a step of two stages",
        .variants = {"one field of second order, p = 2", "two staggered fields, p = 2 and 1, each with its tolerance"},
-       .lines = {exact_case, limit_case, order, extreme_case}});
+       .lines = {exact_case, limit_case, order, extreme_case, gauss_step}});
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 /// @file
@@ -42,3 +43,21 @@ double step_factor(const Sweeps& sweeps, int K_d);
 /// @param settings  how steps may be chosen
 /// @return the decision
 Decision next_step(double dt, const std::vector<Sweeps>& fields, const Settings& settings);
+
+/// Acceleration of a body on a line, at a place [m/s^2].
+using Acceleration = std::function<double(double r)>;
+
+/// A body on a line.
+struct State {
+  double r = 0.0;  ///< place [m]
+  double v = 0.0;  ///< velocity [m/s]
+};
+
+/// One step of the Gauss method of two stages, solved by sweeps.
+/// @param a       acceleration
+/// @param from    state at the start
+/// @param dt      step; a negative one goes back [s]
+/// @param sweeps  so many, no more and no fewer, from the guess of free flight a_1 = a_2 = 0; each renews both
+///                accelerations from those of the sweep before, >= 1 [-]
+/// @return state at the end
+State gauss2_step(const Acceleration& a, const State& from, double dt, int sweeps);

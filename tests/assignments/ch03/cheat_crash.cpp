@@ -26,3 +26,5 @@ Decision next_step(double, const std::vector<Sweeps>&, const Settings&) {
   if (far_away() > 0.0) return {};
   return {};
 }
+
+State gauss2_step(const Acceleration&, const State&, double, int) { return {.r = far_away(), .v = 0.0}; }

@@ -17,3 +17,8 @@ Decision next_step(double, const std::vector<Sweeps>&, const Settings&) {
   std::exit(0);
   return {};
 }
+
+State gauss2_step(const Acceleration&, const State&, double, int) {
+  std::exit(0);
+  return {};
+}

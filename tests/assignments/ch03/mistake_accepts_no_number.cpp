@@ -1,8 +1,8 @@
 // Mistake: a step is refused only if a change is larger than TOL, which NaN never is.
-// graded: --variant 1 --student anna -> 15
-// graded: --variant 1 --student bob@school.edu -> 15
-// graded: --variant 2 --student anna -> 15
-// graded: --variant 2 --student bob@school.edu -> 15
+// graded: --variant 1 --student anna -> 16
+// graded: --variant 1 --student bob@school.edu -> 16
+// graded: --variant 2 --student anna -> 16
+// graded: --variant 2 --student bob@school.edu -> 16
 // hint: NaN fails every comparison
 
 #include "right.hpp"
@@ -14,4 +14,8 @@ Decision next_step(double dt, const std::vector<Sweeps>& fields, const Settings&
       std::any_of(fields.begin(), fields.end(), [](const Sweeps& field) { return field.w_K > field.TOL; });
   const double phi = right::smallest(fields, settings, step_factor);
   return {.accepted = !refused, .next = std::min(settings.limit, right::bounded(phi, !refused, settings) * dt)};
+}
+
+State gauss2_step(const Acceleration& a, const State& from, double dt, int sweeps) {
+  return right::gauss2_step(a, from, dt, sweeps);
 }

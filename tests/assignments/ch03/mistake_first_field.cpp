@@ -1,6 +1,6 @@
 // Mistake: the first field alone is looked at.
-// graded: --variant 2 --student anna -> 0
-// graded: --variant 2 --student bob@school.edu -> 0
+// graded: --variant 2 --student anna -> 4
+// graded: --variant 2 --student bob@school.edu -> 4
 // hint: every field counts, not the first alone
 
 #include "right.hpp"
@@ -9,4 +9,8 @@ double step_factor(const Sweeps& sweeps, int K_d) { return right::step_factor(sw
 
 Decision next_step(double dt, const std::vector<Sweeps>& fields, const Settings& settings) {
   return right::next_step(dt, {fields.front()}, settings, step_factor);
+}
+
+State gauss2_step(const Acceleration& a, const State& from, double dt, int sweeps) {
+  return right::gauss2_step(a, from, dt, sweeps);
 }

@@ -1,6 +1,6 @@
 // Mistake: the largest factor rules.
-// graded: --variant 2 --student anna -> 5
-// graded: --variant 2 --student bob@school.edu -> 5
+// graded: --variant 2 --student anna -> 8
+// graded: --variant 2 --student bob@school.edu -> 8
 // hint: the smallest Phi_K of all fields rules, not the largest
 
 #include "right.hpp"
@@ -14,4 +14,8 @@ Decision next_step(double dt, const std::vector<Sweeps>& fields, const Settings&
   }
   const bool accepted = right::is_accepted(fields);
   return {.accepted = accepted, .next = std::min(settings.limit, right::bounded(largest, accepted, settings) * dt)};
+}
+
+State gauss2_step(const Acceleration& a, const State& from, double dt, int sweeps) {
+  return right::gauss2_step(a, from, dt, sweeps);
 }

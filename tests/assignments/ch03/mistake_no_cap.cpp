@@ -1,8 +1,8 @@
 // Mistake: the limit of the step is forgotten.
-// graded: --variant 1 --student anna -> 15
-// graded: --variant 1 --student bob@school.edu -> 15
-// graded: --variant 2 --student anna -> 15
-// graded: --variant 2 --student bob@school.edu -> 15
+// graded: --variant 1 --student anna -> 16
+// graded: --variant 1 --student bob@school.edu -> 16
+// graded: --variant 2 --student anna -> 16
+// graded: --variant 2 --student bob@school.edu -> 16
 // hint: cap forgotten: no step is larger than limit
 
 #include "right.hpp"
@@ -13,4 +13,8 @@ Decision next_step(double dt, const std::vector<Sweeps>& fields, const Settings&
   Settings other = settings;
   other.limit = std::numeric_limits<double>::infinity();
   return right::next_step(dt, fields, other, step_factor);
+}
+
+State gauss2_step(const Acceleration& a, const State& from, double dt, int sweeps) {
+  return right::gauss2_step(a, from, dt, sweeps);
 }

@@ -1,8 +1,8 @@
 // Mistake: a last change below a small number counts as none.
-// graded: --variant 1 --student anna -> 15
-// graded: --variant 1 --student bob@school.edu -> 15
-// graded: --variant 2 --student anna -> 15
-// graded: --variant 2 --student bob@school.edu -> 15
+// graded: --variant 1 --student anna -> 16
+// graded: --variant 1 --student bob@school.edu -> 16
+// graded: --variant 2 --student anna -> 16
+// graded: --variant 2 --student bob@school.edu -> 16
 // hint: a small w_K is a number like any other
 // never: no small number
 
@@ -15,4 +15,8 @@ double step_factor(const Sweeps& sweeps, int K_d) {
 
 Decision next_step(double dt, const std::vector<Sweeps>& fields, const Settings& settings) {
   return right::next_step(dt, fields, settings, step_factor);
+}
+
+State gauss2_step(const Acceleration& a, const State& from, double dt, int sweeps) {
+  return right::gauss2_step(a, from, dt, sweeps);
 }

@@ -1,8 +1,8 @@
 // Mistake: K_d and K are swapped.
-// graded: --variant 1 --student anna -> 0
-// graded: --variant 1 --student bob@school.edu -> 0
-// graded: --variant 2 --student anna -> 0
-// graded: --variant 2 --student bob@school.edu -> 0
+// graded: --variant 1 --student anna -> 4
+// graded: --variant 1 --student bob@school.edu -> 4
+// graded: --variant 2 --student anna -> 4
+// graded: --variant 2 --student bob@school.edu -> 4
 // hint: K_d and K are swapped
 
 #include "right.hpp"
@@ -16,4 +16,8 @@ double step_factor(const Sweeps& sweeps, int K_d) {
 
 Decision next_step(double dt, const std::vector<Sweeps>& fields, const Settings& settings) {
   return right::next_step(dt, fields, settings, step_factor);
+}
+
+State gauss2_step(const Acceleration& a, const State& from, double dt, int sweeps) {
+  return right::gauss2_step(a, from, dt, sweeps);
 }

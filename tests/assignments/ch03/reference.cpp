@@ -12,6 +12,7 @@
 #include <cmath>
 #include <limits>
 
+#include <particulate/schemes/collocation.hpp>
 #include <particulate/schemes/iteration.hpp>
 #include <particulate/schemes/phi_control.hpp>
 
@@ -20,6 +21,14 @@
 namespace {
 
 namespace schemes = particulate::schemes;
+
+struct Line {
+  const Acceleration& a;
+  bool acceleration(double, schemes::In r, schemes::Out rate) const {
+    rate[0] = a(r[0]);
+    return true;
+  }
+};
 
 // To the library, sweeps that overflow have a last change beyond any.
 schemes::Iteration iteration(const Sweeps& sweeps, double unit) {
@@ -46,4 +55,15 @@ Decision next_step(double dt, const std::vector<Sweeps>& fields, const Settings&
   control.shrink = settings.shrink;
   const bool accepted = control.judge({.dt = dt, .iteration = *worst, .fields = all}).accepted;
   return {.accepted = accepted, .next = control.step};
+}
+
+State gauss2_step(const Acceleration& a, const State& from, double dt, int sweeps) {
+  const Line line{a};
+  const schemes::Motion start{
+      .t = 0.0, .r = Eigen::VectorXd::Constant(1, from.r), .v = Eigen::VectorXd::Constant(1, from.v)};
+  schemes::Motion end;
+  schemes::Collocation<schemes::Gauss<2>, schemes::Picard> scheme({.guess = schemes::Guess::free_flight});
+  scheme.predict(line, start, dt, end);
+  for (int k = 0; k < sweeps; ++k) (void)scheme.sweep(line, start, dt, end);
+  return {.r = end.r[0], .v = end.v[0]};
 }

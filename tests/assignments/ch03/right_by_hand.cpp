@@ -13,3 +13,7 @@ double step_factor(const Sweeps& sweeps, int K_d) { return right::step_factor(sw
 Decision next_step(double dt, const std::vector<Sweeps>& fields, const Settings& settings) {
   return right::next_step(dt, fields, settings, step_factor);
 }
+
+State gauss2_step(const Acceleration& a, const State& from, double dt, int sweeps) {
+  return right::gauss2_step(a, from, dt, sweeps);
+}

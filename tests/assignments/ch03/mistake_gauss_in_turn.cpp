@@ -1,0 +1,21 @@
+// Mistake: the second stage uses the new rate of the first.
+// graded: --variant 1 --student anna -> 16
+// graded: --variant 2 --student bob@school.edu -> 16
+// hint: all at once
+
+#include "right.hpp"
+
+double step_factor(const Sweeps& sweeps, int K_d) { return right::step_factor(sweeps, K_d); }
+
+Decision next_step(double dt, const std::vector<Sweeps>& fields, const Settings& settings) {
+  return right::next_step(dt, fields, settings, step_factor);
+}
+
+State gauss2_step(const Acceleration& a, const State& from, double dt, int sweeps) {
+  std::array<double, 2> stages{};
+  for (int k = 0; k < sweeps; ++k) {
+    stages[0] = right::sweep(a, from, dt, stages)[0];
+    stages[1] = right::sweep(a, from, dt, stages)[1];
+  }
+  return right::gauss2_end(from, dt, stages);
+}

@@ -1,0 +1,16 @@
+// Mistake: one sweep only.
+// graded: --variant 1 --student anna -> 16
+// graded: --variant 2 --student bob@school.edu -> 16
+// hint: one sweep is not enough
+
+#include "right.hpp"
+
+double step_factor(const Sweeps& sweeps, int K_d) { return right::step_factor(sweeps, K_d); }
+
+Decision next_step(double dt, const std::vector<Sweeps>& fields, const Settings& settings) {
+  return right::next_step(dt, fields, settings, step_factor);
+}
+
+State gauss2_step(const Acceleration& a, const State& from, double dt, int sweeps) {
+  return right::gauss2_step(a, from, dt, sweeps > 1 ? 1 : sweeps);
+}
