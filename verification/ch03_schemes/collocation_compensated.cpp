@@ -30,11 +30,11 @@ constexpr double step = 1.0 / 8192.0, t_end = 16.0;
 
 // The largest error of position and velocity of (cos t, -sin t) at the ends of the last hundred steps.
 template <class P, class State>
-double largest_error(P problem, State state, bool compensated) {
+double largest_error(const P& of, const State& start, bool compensated) {
+  P problem = of;
+  State state = start;
   using Scheme = Collocation<Gauss<4>>;
-  CollocationSettings settings;
-  settings.compensated = compensated;
-  Scheme scheme(settings);
+  Scheme scheme({.compensated = compensated});
   double worst = 0.0;
   const auto watch = [&](const State&, const State& to, double, const Scheme&) {
     if (to.t < t_end - 100.0 * step) return true;

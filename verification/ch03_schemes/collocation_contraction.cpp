@@ -180,12 +180,12 @@ Ending spring(double x, const Solver& solver, const FixedStep& control, double t
 template <int S, class Solver>
 void compare_limit(Rows& rows, const std::string& how, double limit) {
   const auto at = [=](double x) {
-    // For one stage rounding, repeated by 1/(1 - 0.998), is above 1e-12 of the displacement.
-    const FixedStep control{.step = x / omega, .TOL = S == 1 ? 1e-11 : 1e-12, .contractions = 30000};
+    // Rounding, repeated by 1/(1 - 0.998), is above 1e-12 of the displacement.
+    const FixedStep control{.step = x / omega, .TOL = 1e-10, .contractions = 30000};
     return spring<S>(
         x, Solver(), control, 1e-6,
-        "sweeps stop where the end changes by TOL, which of a pair may be far less than the largest change; "
-        "their limit is 1/(1 - 0.998) such changes away, in some powers of ten for s = 8");
+        "sweeps stop where a change is at most TOL = 1e-10; their limit is 1/(1 - 0.998) such changes away, in some "
+        "powers of ten for s = 8");
   };
   rows.must_be_solved(fmt::format("s = {}, {}, omega dt = {:.6g} (1 - 1e-3)", S, how, limit),
                       [=] { return at(limit * (1.0 - 1e-3)); });

@@ -5,6 +5,7 @@
 #include <string>
 
 #include <fmt/format.h>
+#include <Eigen/LU>
 
 #include <ch01_fundamentals/motions.hpp>
 #include <ch01_fundamentals/starts.hpp>

@@ -35,7 +35,12 @@ struct RoundingGap {
     if (j >= 0) reach += radius[j], size += position.row(j).norm();
     return relative * reach + 16.0 * std::numeric_limits<double>::epsilon() * size;
   }
-  /// The same, as find_touching() asks. @see between
+  /// The same, as find_touching() asks.
+  ///
+  /// @param at  the particles
+  /// @param i   one particle
+  /// @param j   another; negative: a wall
+  /// @return the widest gap that counts as closed [m]
   double operator()(const Places& at, Eigen::Index i, Eigen::Index j) const {
     return between(at.position, at.radius, i, j);
   }

@@ -25,7 +25,8 @@ struct CollocationCoefficients {
   Eigen::VectorXd b_bar;  ///< weights of the accelerations in the position at the end [-]
   Eigen::MatrixXd A_bar;  ///< weights of the accelerations in the positions at the nodes, s x s [-]
   Eigen::VectorXd top;    ///< weights of the leading coefficient of the polynomial through the nodes [-]
-  Eigen::VectorXd x, w;   ///< points and weights of Gauss quadrature on [0, 1], s of each [-]
+  Eigen::VectorXd x;      ///< points of Gauss quadrature on [0, 1], s of them [-]
+  Eigen::VectorXd w;      ///< its weights [-]
 };
 
 /// The Gauss nodes: zeros of the Legendre polynomial of degree s on [0, 1].
@@ -84,8 +85,14 @@ struct CollocationTable {
   static constexpr int S = Nodes::stages;      ///< stages [-]
   using Row = Eigen::Matrix<double, S, 1>;     ///< one weight a stage
   using Square = Eigen::Matrix<double, S, S>;  ///< one row a stage
-  Row c, b, b_bar, top, x, w;                  ///< see CollocationCoefficients
-  Square A, A_bar;                             ///< see CollocationCoefficients
+  Row c;                                       ///< nodes, see CollocationCoefficients
+  Row b;                                       ///< weights of the rates at the end
+  Row b_bar;                                   ///< weights of the accelerations in the position at the end
+  Row top;                                     ///< weights of the leading coefficient
+  Row x;                                       ///< points of Gauss quadrature
+  Row w;                                       ///< its weights
+  Square A;                                    ///< weights of the rates at the nodes
+  Square A_bar;                                ///< weights of the accelerations in the positions at the nodes
 
   /// @return the table of this method, computed once
   static const CollocationTable& get() {
