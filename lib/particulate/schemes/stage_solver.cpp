@@ -13,7 +13,8 @@ using Complex = std::complex<double>;
 StageEigenvalues::StageEigenvalues(const Eigen::MatrixXd& A) {
   // Delta K A^T = W L T^T with Delta K = W T^T and A = T L T^-1.
   const Eigen::ComplexEigenSolver<Eigen::MatrixXcd> eigen(A.cast<Complex>());
-  const Eigen::MatrixXcd T = eigen.eigenvectors(), inverse = T.inverse();
+  const Eigen::MatrixXcd& T = eigen.eigenvectors();
+  const Eigen::MatrixXcd inverse = T.inverse();
   const Eigen::Index s = A.rows();
   const double real = 1e-10 * eigen.eigenvalues().cwiseAbs().maxCoeff();
   apart_.resize(s, s);
