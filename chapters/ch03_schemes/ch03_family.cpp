@@ -48,6 +48,7 @@
 #include <particulate/schemes/verlet.hpp>
 
 #include "ch03_family.hpp"
+#include "logged.hpp"
 
 using namespace particulate;
 
@@ -89,30 +90,6 @@ struct VanDerPol {
     J << 0.0, 1.0, -2.0 * mu * y[0] * y[1] - 1.0, mu * (1.0 - y[0] * y[0]);
   }
 };
-
-//! A control that writes down what it is asked, as in the first half:
-
-struct Noted {
-  struct Entry {
-    double t;
-    schemes::Attempt made;
-    bool accepted;
-  };
-  schemes::ErrorControl control;
-  std::vector<Entry> entries = {};
-  double t = 0.0;
-
-  double dt() const { return control.dt(); }
-  bool goes_on(const schemes::Iteration& it) const { return control.goes_on(it); }
-  schemes::Decision judge(const schemes::Attempt& made) {
-    schemes::Decision decision = control.judge(made);
-    entries.push_back({t, made, decision.accepted});
-    if (decision.accepted) t += made.dt;
-    return decision;
-  }
-};
-
-void validate(const Noted& noted) { validate(noted.control); }
 
 double larger(double worst, double x) { return x <= worst || std::isnan(worst) ? worst : x; }
 
@@ -409,14 +386,15 @@ report::Checks ch03::run(const Family& p, const report::Output& output, bool qui
 
   const Pair close(p.closeness);
   const double orbit = close.exact.period();
-  Noted noted{.control = {.TOL = p.accuracy, .sweep_TOL = p.accuracy, .step = 0.01 * orbit, .limit = 0.1 * orbit}};
-  const auto [passed, error_of_passage] = follow(close, schemes::Collocation<Four>(), noted, orbit);
+  ch03::Logged<schemes::ErrorControl> log{
+      .control = {.TOL = p.accuracy, .sweep_TOL = p.accuracy, .step = 0.01 * orbit, .limit = 0.1 * orbit}};
+  const auto [passed, error_of_passage] = follow(close, schemes::Collocation<Four>(), log, orbit);
   report::Table passage({"time from the passage [periods]", "accepted step [periods]", "refused step [periods]",
                          "estimate/TOL [-]", "Phi_K [-]", "wish of the estimate [-]"});
   double above = 0.0, shortest = orbit, longest = 0.0;
-  for (const Noted::Entry& entry : noted.entries) {
+  for (const auto& entry : log.entries) {
     const double dt = entry.made.dt / orbit, estimate = entry.made.truncation.error / p.accuracy;
-    const double Phi_K = schemes::phi_K(entry.made.iteration, p.accuracy, noted.control.K_d);
+    const double Phi_K = schemes::phi_K(entry.made.iteration, p.accuracy, log.control.K_d);
     passage.add({entry.t / orbit - 0.5, entry.accepted ? report::Cell(dt) : report::Cell(),
                  entry.accepted ? report::Cell() : report::Cell(dt), estimate,
                  std::isfinite(Phi_K) ? report::Cell(Phi_K) : report::Cell(), 0.9 * std::pow(estimate, -1.0 / 9.0)});

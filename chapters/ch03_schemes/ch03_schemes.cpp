@@ -60,6 +60,7 @@
 #include <particulate/schemes/verlet.hpp>
 
 #include "ch03_family.hpp"
+#include "logged.hpp"
 
 namespace {
 
@@ -112,31 +113,10 @@ struct Springs {
   }
 };
 
-//! A step control is a value that answers three questions. This one lets the algorithm of section 3.4 decide, and
-//! writes down every attempt, the refused ones too:
+//! A step control is a value that answers three questions. Logged lets the algorithm of section 3.4 decide, and writes
+//! down every attempt, the refused ones too:
 
-struct Logged {
-  struct Entry {
-    double t, dt;
-    bool accepted;
-    schemes::Iteration iteration;
-    std::string_view controlling;
-  };
-  schemes::PhiControl control;
-  std::vector<Entry> entries = {};
-  double t = 0.0;
-
-  double dt() const { return control.dt(); }
-  bool goes_on(const schemes::Iteration& it) const { return control.goes_on(it); }
-  schemes::Decision judge(const schemes::Attempt& made) {
-    schemes::Decision decision = control.judge(made);
-    entries.push_back({t, made.dt, decision.accepted, made.iteration, control.controlling});
-    if (decision.accepted) t += made.dt;
-    return decision;
-  }
-};
-
-void validate(const Logged& log) { validate(log.control); }
+using Logged = ch03::Logged<schemes::PhiControl>;
 
 //! And this is a single step by hand: the guess, then so many sweeps. What it returns is the change of the state in
 //! each of them, as a Euclidean length, and beside it the library's own measure.
@@ -448,10 +428,10 @@ int run(int argc, char** argv) {
       {"time [periods]", "accepted step [periods]", "refused step [periods]", "contraction [-]", "aimed at [-]"});
   double above_TOL = 0.0;
   for (const Logged::Entry& entry : log.entries) {
-    const schemes::Iteration& it = entry.iteration;
+    const schemes::Iteration& it = entry.made.iteration;
     const double aim = std::pow(p.TOL / it.w_0, 1.0 / p.K_d),
                  seen = it.K > 0 ? std::pow(it.w_K / it.w_0, 1.0 / it.K) : 0.0;
-    const double t = entry.t / period, dt = entry.dt / period;
+    const double t = entry.t / period, dt = entry.made.dt / period;
     steps.add({t, entry.accepted ? report::Cell(dt) : report::Cell(),
                entry.accepted ? report::Cell() : report::Cell(dt), seen, aim});
     if (entry.accepted) above_TOL = larger(above_TOL, it.w_K / p.TOL - 1.0);
@@ -481,7 +461,7 @@ int run(int argc, char** argv) {
       const auto [outcome, error] = follow(p.stiffness, 0.5, period, of);
       double least = of.control.limit;
       for (const Logged::Entry& entry : of.entries) {
-        if (entry.accepted && entry.t + entry.dt < period) least = std::min(least, entry.dt);
+        if (entry.accepted && entry.t + entry.made.dt < period) least = std::min(least, entry.made.dt);
       }
       counts.add({TOL, K_d, outcome.steps, outcome.rejections, outcome.sweeps,
                   static_cast<double>(outcome.sweeps) / static_cast<double>(outcome.steps), least / period, error});
@@ -510,7 +490,7 @@ int run(int argc, char** argv) {
     const auto [outcome, error] = follow(p.softness, 1.0, soft_period, of);
     double largest = 0.0;
     for (const Logged::Entry& entry : of.entries) {
-      if (entry.accepted) largest = larger(largest, entry.iteration.w_K / TOL);
+      if (entry.accepted) largest = larger(largest, entry.made.iteration.w_K / TOL);
     }
     promise.add({TOL, outcome.steps, largest, error});
     missing = larger(missing, std::max(0.1 - error, 0.0));
@@ -628,7 +608,7 @@ int run(int argc, char** argv) {
     std::array<report::Cell, 2> ruled;
     if constexpr (requires { control.entries; }) {
       long by_first = 0;
-      for (const Logged::Entry& entry : control.entries) by_first += entry.accepted && entry.controlling == "w_1";
+      for (const Logged::Entry& entry : control.entries) by_first += entry.accepted && entry.after.controlling == "w_1";
       ruled = {by_first, outcome.steps - by_first};
     }
     cures.add({name, reached ? "reached" : "refused", outcome.steps, outcome.rejections, outcome.sweeps,

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "close.hpp"
+#include "moment.hpp"
 
 using boost::test_tools::tolerance;
 using particulate::contact::any_approach;
@@ -16,10 +17,8 @@ using particulate::contact::Friction;
 using particulate::contact::Frictionless;
 using particulate::contact::Impacts;
 using particulate::contact::MotionForce;
-using particulate::contact::Moving;
 using particulate::contact::PositionForce;
 using particulate::contact::Resolution;
-using particulate::contact::resolve_impacts;
 using particulate::contact::Restitution;
 using particulate::contact::Touching;
 using particulate::contact::validate;
@@ -31,6 +30,7 @@ using particulate::kinematics::Wall;
 using particulate::kinematics::Walled;
 using particulate::schemes::Jump;
 using tests::close;
+using tests::Moment;
 using tests::says;
 
 namespace {
@@ -44,45 +44,17 @@ static_assert(!PositionForce<Contact<>, Open> && !MotionForce<Contact<>, Open>, 
 static_assert(!Impacts<Friction>);
 static_assert(Conservative<Contact<>, Open>, "a scene with contacts can book its energy");
 
-// Particles at a moment, as a scene shows them to its laws.
-struct Cloud {
-  Particles particles;
-  Eigen::VectorXd inverse_mass = inverse_masses(particles);
-
-  Moving at() const {
-    const Eigen::Index N = particles.size();
-    return {{.t = 0.0,
-             .position = Eigen::Map<const Vectors>(particles.position.data(), N, 3),
-             .mass = particles.mass,
-             .radius = particles.radius},
-            Eigen::Map<const Vectors>(particles.velocity.data(), N, 3),
-            inverse_mass};
-  }
-  template <class D>
-  Touching touching(const D& domain) const {
-    return find_touching(domain, at());
-  }
-};
-
 // Three spheres along x: the first two overlap by 0.5, the last touches the second.
-Cloud in_a_row() {
+Moment in_a_row() {
   return {{.position = Vectors{{0.0, 0.0, 0.0}, {1.5, 0.0, 0.0}, {3.0, 0.0, 0.0}},
            .velocity = Vectors{{2.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 0.0}},
            .mass = Eigen::Vector3d(1.0, 2.0, 4.0),
            .radius = Eigen::Vector3d(1.0, 1.0, 0.5)}};
 }
 
-struct Resolved {
-  Jump jump;
-  Vectors velocity;
-};
-
 template <class C, class D>
-Resolved resolved(const C& law, const Cloud& cloud, const D& domain, const Vectors& force, double dt) {
-  const Eigen::VectorXd f = force.reshaped();
-  Eigen::VectorXd v = cloud.particles.velocity.reshaped();
-  const Jump jump = resolve_impacts(law, cloud.at(), cloud.touching(domain), f, dt, v);
-  return {jump, v.reshaped(cloud.particles.size(), 3)};
+tests::Resolved resolved(const C& law, const Moment& moment, const D& domain, const Vectors& force, double dt) {
+  return tests::resolved(law, moment, find_touching(domain, moment.at()), force, dt);
 }
 
 }  // namespace
@@ -129,7 +101,7 @@ BOOST_AUTO_TEST_SUITE_END()
 BOOST_AUTO_TEST_SUITE(find_touching_)
 
 BOOST_AUTO_TEST_CASE(finds_pairs_that_overlap_or_just_touch_and_the_deepest) {
-  const Touching found = in_a_row().touching(Open{});
+  const Touching found = find_touching(Open{}, in_a_row().at());
   BOOST_REQUIRE(found.contacts.size() == 2U);
   BOOST_TEST(found.contacts[0].i == 0);
   BOOST_TEST(found.contacts[0].j == 1);
@@ -141,55 +113,56 @@ BOOST_AUTO_TEST_CASE(finds_pairs_that_overlap_or_just_touch_and_the_deepest) {
 }
 
 BOOST_AUTO_TEST_CASE(finds_nothing_apart_and_among_no_particle) {
-  Cloud apart = in_a_row();
+  Moment apart = in_a_row();
   apart.particles.position.col(1) << 0.0, 5.0, 10.0;
-  BOOST_TEST(apart.touching(Open{}).contacts.empty());
-  BOOST_TEST(apart.touching(Open{}).overlap == 0.0);
-  const Cloud none{{Vectors(0, 3), Vectors(0, 3), Eigen::VectorXd(0), Eigen::VectorXd(0)}};
-  BOOST_TEST(none.touching(room).contacts.empty());
+  BOOST_TEST(find_touching(Open{}, apart.at()).contacts.empty());
+  BOOST_TEST(find_touching(Open{}, apart.at()).overlap == 0.0);
+  const Moment none{{Vectors(0, 3), Vectors(0, 3), Eigen::VectorXd(0), Eigen::VectorXd(0)}};
+  BOOST_TEST(find_touching(room, none.at()).contacts.empty());
 }
 
 BOOST_AUTO_TEST_CASE(points_from_the_first_to_the_second) {
-  Cloud pair = in_a_row();
+  Moment pair = in_a_row();
   pair.particles.position.row(1) << 0.6, -0.8, 0.0;
-  BOOST_TEST(close(pair.touching(Open{}).contacts[0].n, Eigen::Vector3d(0.6, -0.8, 0.0), {.relative = 1e-15}));
+  BOOST_TEST(
+      close(find_touching(Open{}, pair.at()).contacts[0].n, Eigen::Vector3d(0.6, -0.8, 0.0), {.relative = 1e-15}));
 }
 
 // The floor at z = -1 is touched by the first two; the wall at x = 4 is 1 away from the last.
 BOOST_AUTO_TEST_CASE(finds_walls_that_are_touched) {
-  Cloud cloud = in_a_row();
-  Touching found = cloud.touching(room);
+  Moment cloud = in_a_row();
+  Touching found = find_touching(room, cloud.at());
   BOOST_TEST(found.contacts.size() == 4U);
   BOOST_TEST(found.contacts[1].i == 0);
   BOOST_TEST(found.contacts[1].j == -1);
   BOOST_TEST(close(found.contacts[1].n, Eigen::Vector3d(0.0, 0.0, -1.0), {}));
   cloud.particles.position.row(2) << 5.0, 0.0, 0.0;
-  found = cloud.touching(room);
+  found = find_touching(room, cloud.at());
   BOOST_TEST(close(found.contacts.back().n, Eigen::Vector3d(1.0, 0.0, 0.0), {}));
   BOOST_TEST(found.overlap == 1.5);  // 1 behind the wall, and its radius
 }
 
 BOOST_AUTO_TEST_CASE(says_when_a_direction_is_missing) {
-  Cloud cloud = in_a_row();
+  Moment cloud = in_a_row();
   cloud.particles.position.row(2) = cloud.particles.position.row(1);
-  const Touching found = cloud.touching(Open{});
+  const Touching found = find_touching(Open{}, cloud.at());
   BOOST_TEST(!found.directed);
   BOOST_TEST(found.overlap == 1.5);
   BOOST_TEST(any_approach(found, cloud.at()));
 }
 
 BOOST_AUTO_TEST_CASE(takes_no_notice_of_what_cannot_move_on_either_side) {
-  Cloud fixed = in_a_row();
+  Moment fixed = in_a_row();
   fixed.particles.position.row(1) = fixed.particles.position.row(0);
   fixed.inverse_mass.head<2>().setZero();
-  const Touching found = fixed.touching(room);
+  const Touching found = find_touching(room, fixed.at());
   BOOST_TEST(found.contacts.empty());
   BOOST_TEST(found.directed);
   BOOST_TEST(found.overlap == 0.0);
   fixed.inverse_mass[1] = 1.0;
-  BOOST_TEST(fixed.touching(Open{}).contacts.size() == 1U);
+  BOOST_TEST(find_touching(Open{}, fixed.at()).contacts.size() == 1U);
   fixed.inverse_mass.head<2>() << 1.0, 0.0;
-  BOOST_TEST(fixed.touching(Open{}).contacts.size() == 1U);
+  BOOST_TEST(find_touching(Open{}, fixed.at()).contacts.size() == 1U);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
@@ -197,8 +170,8 @@ BOOST_AUTO_TEST_SUITE_END()
 BOOST_AUTO_TEST_SUITE(any_approach_)
 
 BOOST_AUTO_TEST_CASE(asks_for_relative_velocities_along_the_contacts) {
-  Cloud cloud = in_a_row();
-  const auto approaches = [&] { return any_approach(cloud.touching(room), cloud.at()); };
+  Moment cloud = in_a_row();
+  const auto approaches = [&] { return any_approach(find_touching(room, cloud.at()), cloud.at()); };
   BOOST_TEST(approaches());
   cloud.particles.velocity.col(0) << 2.0, 2.0, 2.0;  // together
   BOOST_TEST(!approaches());
@@ -229,7 +202,7 @@ BOOST_AUTO_TEST_CASE(changes_velocities_and_reports_what_it_did) {
 // The forces 3 and -2 N give (3/1 + 2/2) = 4 m/s^2 of approach over gamma dt/(1 + e) = 0.25/1.25 s: Delta_1 = 0.8,
 // J = -1.25 (2/3) 2.8 = -7/3.
 BOOST_AUTO_TEST_CASE(divides_the_other_forces_by_each_mass_and_acts_for_gamma_dt) {
-  Cloud cloud = in_a_row();
+  Moment cloud = in_a_row();
   cloud.particles.position.row(2) << 0.0, 9.0, 0.0;
   const Vectors force{{3.0, 0.0, 0.0}, {-2.0, 0.0, 0.0}, {50.0, 50.0, 50.0}};
   const auto [jump, velocity] =
@@ -241,7 +214,7 @@ BOOST_AUTO_TEST_CASE(divides_the_other_forces_by_each_mass_and_acts_for_gamma_dt
 
 // A force on what is immovable moves it as little as an impact does.
 BOOST_AUTO_TEST_CASE(takes_no_acceleration_from_what_is_immovable) {
-  Cloud cloud = in_a_row();
+  Moment cloud = in_a_row();
   cloud.inverse_mass[1] = 0.0;
   cloud.particles.velocity.row(1).setZero();
   const Vectors force{{0.0, 0.0, 0.0}, {-1000.0, 0.0, 0.0}, {0.0, 0.0, 0.0}};
@@ -252,7 +225,7 @@ BOOST_AUTO_TEST_CASE(takes_no_acceleration_from_what_is_immovable) {
 }
 
 BOOST_AUTO_TEST_CASE(hands_on_its_friction_and_its_resolution) {
-  Cloud cloud = in_a_row();
+  Moment cloud = in_a_row();
   cloud.particles.velocity.row(1).setZero();
   cloud.particles.velocity(0, 2) = 0.5;
   const Vectors none = Vectors::Zero(3, 3);
@@ -266,7 +239,7 @@ BOOST_AUTO_TEST_CASE(hands_on_its_friction_and_its_resolution) {
 }
 
 BOOST_AUTO_TEST_CASE(names_two_particles_with_the_same_centre) {
-  Cloud cloud = in_a_row();
+  Moment cloud = in_a_row();
   cloud.particles.position.row(2) = cloud.particles.position.row(1);
   const auto [jump, velocity] = resolved(Contact{}, cloud, Open{}, Vectors::Zero(3, 3), 0.1);
   BOOST_TEST(jump.unsettled ==
@@ -278,10 +251,10 @@ BOOST_AUTO_TEST_CASE(names_two_particles_with_the_same_centre) {
 }
 
 BOOST_AUTO_TEST_CASE(hands_on_what_could_not_be_settled) {
-  Cloud jammed{{.position = Vectors{{0.0, 0.0, 0.0}},
-                .velocity = Vectors{{0.0, 0.0, 1.0}},
-                .mass = Eigen::VectorXd::Ones(1),
-                .radius = Eigen::VectorXd::Ones(1)}};
+  Moment jammed{{.position = Vectors{{0.0, 0.0, 0.0}},
+                 .velocity = Vectors{{0.0, 0.0, 1.0}},
+                 .mass = Eigen::VectorXd::Ones(1),
+                 .radius = Eigen::VectorXd::Ones(1)}};
   const Walled slot{{Wall{.point = {0.0, 0.0, -1.0}, .normal = {0.0, 0.0, 1.0}},
                      Wall{.point = {0.0, 0.0, 1.0}, .normal = {0.0, 0.0, -1.0}}}};
   const Jump jump = resolved(Contact{}, jammed, slot, Vectors::Zero(1, 3), 0.1).jump;

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "close.hpp"
+#include "moment.hpp"
 
 using boost::test_tools::tolerance;
 using particulate::contact::Conservative;
@@ -33,6 +34,7 @@ using particulate::kinematics::Walled;
 using particulate::schemes::Jump;
 using particulate::schemes::Motion;
 using tests::close;
+using tests::Moment;
 using tests::says;
 
 namespace {
@@ -71,32 +73,9 @@ std::optional<double> first(const Flight& flight, const D& domain, double end = 
   return first_impact(LocatedContact{}, domain, flight.particles.radius, inverse_masses(flight.particles), flight, end);
 }
 
-// A moment as a scene shows it to its laws.
-struct Cloud {
-  Particles particles;
-  Eigen::VectorXd inverse_mass = inverse_masses(particles);
-  Moving at() const {
-    const Eigen::Index N = particles.size();
-    return {{.t = 3.0,
-             .position = Eigen::Map<const Vectors>(particles.position.data(), N, 3),
-             .mass = particles.mass,
-             .radius = particles.radius},
-            Eigen::Map<const Vectors>(particles.velocity.data(), N, 3),
-            inverse_mass};
-  }
-};
-
-struct Resolved {
-  Jump jump;
-  Vectors velocity;
-};
 template <class L, class D>
-Resolved resolved(const L& law, const Cloud& cloud, const D& domain, const Vectors& force) {
-  const Eigen::VectorXd f = force.reshaped();
-  Eigen::VectorXd v = cloud.particles.velocity.reshaped();
-  const Jump jump =
-      resolve_impacts(law, cloud.at(), find_touching(domain, cloud.at(), touching_tolerance(law)), f, 0.1, v);
-  return {jump, v.reshaped(cloud.particles.size(), 3)};
+tests::Resolved resolved(const L& law, const Moment& moment, const D& domain, const Vectors& force) {
+  return tests::resolved(law, moment, find_touching(domain, moment.at(), touching_tolerance(law)), force, 0.1);
 }
 
 }  // namespace
@@ -120,7 +99,7 @@ BOOST_AUTO_TEST_SUITE_END()
 BOOST_AUTO_TEST_SUITE(RoundingGap_)
 
 BOOST_AUTO_TEST_CASE(is_a_part_of_the_radii_and_some_roundings_of_the_places) {
-  Cloud pair{spheres(Vectors{{0.0, 3.0, 4.0}, {0.0, 3.0, 5.0}}, Vectors::Zero(2, 3))};
+  Moment pair{spheres(Vectors{{0.0, 3.0, 4.0}, {0.0, 3.0, 5.0}}, Vectors::Zero(2, 3))};
   constexpr double eps = std::numeric_limits<double>::epsilon();
   const RoundingGap gap = touching_tolerance(LocatedContact<>{.touching = 1e-9});
   BOOST_TEST(gap(pair.at(), 0, 1) == 1e-9 + 16.0 * eps * (5.0 + std::sqrt(34.0)), tolerance(1e-12));
@@ -129,12 +108,12 @@ BOOST_AUTO_TEST_CASE(is_a_part_of_the_radii_and_some_roundings_of_the_places) {
 
 BOOST_AUTO_TEST_CASE(lets_a_gap_below_it_touch_and_counts_no_overlap_for_it) {
   for (const double gap : {1e-13, -1e-13}) {
-    const Cloud pair{spheres(Vectors{{0.0, 0.0, 0.0}, {1.0 + gap, 0.0, 0.0}}, Vectors::Zero(2, 3))};
+    const Moment pair{spheres(Vectors{{0.0, 0.0, 0.0}, {1.0 + gap, 0.0, 0.0}}, Vectors::Zero(2, 3))};
     const Touching found = find_touching(Open{}, pair.at(), touching_tolerance(LocatedContact{}));
     BOOST_TEST(found.contacts.size() == 1U);
     BOOST_TEST(found.overlap == std::max(0.0, -gap), tolerance(1e-2));
   }
-  const Cloud apart{spheres(Vectors{{0.0, 0.0, 0.0}, {1.0 + 1e-10, 0.0, 0.0}}, Vectors::Zero(2, 3))};
+  const Moment apart{spheres(Vectors{{0.0, 0.0, 0.0}, {1.0 + 1e-10, 0.0, 0.0}}, Vectors::Zero(2, 3))};
   BOOST_TEST(find_touching(Open{}, apart.at(), touching_tolerance(LocatedContact{})).contacts.empty());
 }
 
@@ -247,7 +226,7 @@ BOOST_AUTO_TEST_SUITE(resolve_impacts_)
 // Half of 2 m/s is left; the force, which would count in an impact of some duration, does not.
 BOOST_AUTO_TEST_CASE(sends_back_at_once) {
   const LocatedContact law{.restitution = ConstantRestitution{0.5}};
-  const Cloud ball{spheres(Vectors{{0.0, 0.0, 0.5}}, Vectors{{1.0, 0.0, -2.0}})};
+  const Moment ball{spheres(Vectors{{0.0, 0.0, 0.5}}, Vectors{{1.0, 0.0, -2.0}})};
   const auto [jump, velocity] = resolved(law, ball, ground, Vectors{{0.0, 0.0, -10.0}});
   BOOST_TEST(close(velocity, Vectors{{1.0, 0.0, 1.0}}, {.relative = 1e-15}));
   BOOST_TEST(jump.impacts == 1);
@@ -257,8 +236,8 @@ BOOST_AUTO_TEST_CASE(sends_back_at_once) {
 }
 
 BOOST_AUTO_TEST_CASE(resolves_a_symmetric_hit_as_one_group) {
-  const Cloud three{spheres(Vectors{{-1.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, {1.0 + 1e-14, 0.0, 0.0}},
-                            Vectors{{1.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, {-1.0, 0.0, 0.0}})};
+  const Moment three{spheres(Vectors{{-1.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, {1.0 + 1e-14, 0.0, 0.0}},
+                             Vectors{{1.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, {-1.0, 0.0, 0.0}})};
   const auto [jump, velocity] = resolved(LocatedContact{}, three, Open{}, Vectors::Zero(3, 3));
   BOOST_TEST(close(velocity, Vectors{{-1.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}}, {.absolute = 1e-15}));
   BOOST_TEST(jump.impacts == 2);
@@ -268,7 +247,7 @@ BOOST_AUTO_TEST_CASE(resolves_a_symmetric_hit_as_one_group) {
 // that.
 BOOST_AUTO_TEST_CASE(refuses_what_comes_to_rest_and_tells_when) {
   const LocatedContact law{.restitution = ConstantRestitution{0.5}};
-  const Cloud ball{spheres(Vectors{{0.0, 0.0, 0.5}}, Vectors{{0.0, 0.0, -2e-6}})};
+  const Moment ball{spheres(Vectors{{0.0, 0.0, 0.5}}, Vectors{{0.0, 0.0, -2e-6}})};
   const Jump jump = resolved(law, ball, ground, Vectors{{0.0, 0.0, -10.0}}).jump;
   BOOST_TEST(jump.accumulates == 3.0 + 4e-7, tolerance(1e-14));
   BOOST_TEST(jump.unsettled.find("particle 0 and a wall come to rest on each other: after their impact at t = 3 s they "
@@ -279,7 +258,7 @@ BOOST_AUTO_TEST_CASE(refuses_what_comes_to_rest_and_tells_when) {
 
 BOOST_AUTO_TEST_CASE(refuses_what_stays_pressed_without_restitution) {
   const LocatedContact law{.restitution = ConstantRestitution{0.0}};
-  const Cloud pair{spheres(Vectors{{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}}, Vectors{{1.0, 0.0, 0.0}, {0.0, 0.0, 0.0}})};
+  const Moment pair{spheres(Vectors{{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}}, Vectors{{1.0, 0.0, 0.0}, {0.0, 0.0, 0.0}})};
   const Jump jump = resolved(law, pair, Open{}, Vectors{{1.0, 0.0, 0.0}, {0.0, 0.0, 0.0}}).jump;
   BOOST_TEST(jump.unsettled.find("particles 0 and 1 come to rest on each other") == 0U);
   BOOST_TEST(jump.accumulates == 3.0);
@@ -288,7 +267,7 @@ BOOST_AUTO_TEST_CASE(refuses_what_stays_pressed_without_restitution) {
 // Pulled apart, or by one field that moves both alike, the same bodies go on together.
 BOOST_AUTO_TEST_CASE(lets_bodies_stay_together_that_nothing_presses) {
   const LocatedContact law{.restitution = ConstantRestitution{0.0}};
-  const Cloud pair{spheres(Vectors{{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}}, Vectors{{1.0, 0.0, 0.0}, {0.0, 0.0, 0.0}})};
+  const Moment pair{spheres(Vectors{{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}}, Vectors{{1.0, 0.0, 0.0}, {0.0, 0.0, 0.0}})};
   for (const Vectors& force : {Vectors{{-1.0, 0.0, 0.0}, {1.0, 0.0, 0.0}}, Vectors{{0.3, 0.1, 0.7}, {0.3, 0.1, 0.7}},
                                Vectors{{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}}}) {
     const auto [jump, velocity] = resolved(law, pair, Open{}, force);
@@ -298,14 +277,14 @@ BOOST_AUTO_TEST_CASE(lets_bodies_stay_together_that_nothing_presses) {
 }
 
 BOOST_AUTO_TEST_CASE(tells_of_two_particles_with_the_same_centre) {
-  const Cloud pair{spheres(Vectors{{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}}, Vectors::Zero(2, 3))};
+  const Moment pair{spheres(Vectors{{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}}, Vectors::Zero(2, 3))};
   BOOST_TEST(resolved(LocatedContact{}, pair, Open{}, Vectors::Zero(2, 3))
                  .jump.unsettled.find("particles 0 and 1 touch with the same centre") == 0U);
 }
 
 BOOST_AUTO_TEST_CASE(hands_on_its_friction) {
   const LocatedContact law{.restitution = ConstantRestitution{0.5}, .friction = Friction{.mu_s = 0.1, .mu_d = 0.1}};
-  const Cloud ball{spheres(Vectors{{0.0, 0.0, 0.5}}, Vectors{{1.0, 0.0, -2.0}})};
+  const Moment ball{spheres(Vectors{{0.0, 0.0, 0.5}}, Vectors{{1.0, 0.0, -2.0}})};
   BOOST_TEST(
       close(resolved(law, ball, ground, Vectors::Zero(1, 3)).velocity, Vectors{{0.7, 0.0, 1.0}}, {.relative = 1e-15}));
 }

@@ -1,10 +1,8 @@
 // A breathing pair that also turns: its angular momentum stiffens the repulsion.
 
 #include <cmath>
-#include <numbers>
 
 #include <Eigen/Geometry>
-#include <boost/math/quadrature/gauss_kronrod.hpp>
 
 #include <harness/case.hpp>
 #include <particulate/kinematics/momentum.hpp>
@@ -12,52 +10,34 @@
 
 #include "breathing.hpp"
 #include "references.hpp"
+#include "turning_pair.hpp"
 
 namespace {
 
 using namespace particulate;
 using namespace verification;
 
-constexpr double m_i = 1.0, m_j = 3.0, alpha1 = 1.0, alpha2 = 0.25;
-constexpr double l_z = 1.5;  // r^2 dphi/dt
-
 // A = 4, B = 0.25 * 4 + 1.5^2 = 3.25, 2|E| = 8 - 3.25 = 4.75, a = 4/4.75 = 16/19.
 constexpr double period = 2.427724746595934;
 constexpr double r_min = 3.25 / 4.75;
-
-const Eigen::Vector3d across{3.0 / 7.0, -6.0 / 7.0, 2.0 / 7.0};
-
-NearFieldScene turning_pair() {
-  kinematics::Particles start = pair_at_rest(m_i, m_j, 1.0);
-  kinematics::set_vector(start.velocity, 0, -m_j / (m_i + m_j) * l_z * across);
-  kinematics::set_vector(start.velocity, 1, m_i / (m_i + m_j) * l_z * across);
-  return {start, {}, {.alpha1 = alpha1, .alpha2 = alpha2, .beta1 = 2.0, .beta2 = 3.0}};
-}
 
 // Errors of the separation's length, its rate and its angle against the closed form.
 struct Errors {
   double distance = 0.0, rate = 0.0, angle = 0.0;
 };
 
-// phi(t) = int l_z/r^2 dt, tenth by tenth.
-double turned(const kinematics::Breathing& exact, int tenth) {
-  using Rule = boost::math::quadrature::gauss_kronrod<double, 31>;
-  const auto rate = [&](double t) { return l_z / std::pow(exact.at(t).r, 2); };
-  return Rule::integrate(rate, exact.period() * (tenth - 1) / 10.0, exact.period() * tenth / 10.0, 0);
-}
-
 template <class Move>
 Errors errors_at_tenths(const kinematics::Breathing& exact, const Move& move) {
-  NearFieldScene scene = turning_pair();
+  NearFieldScene scene = turning::pair();
   schemes::Motion state = scenes::start(scene);
   Errors worst;
   double phi = 0.0;
   for (int k = 1; k <= 30; ++k) {
     move(scene, state, exact.period() * k / 10.0);
-    phi += turned(exact, k);
+    phi += turning::turned(exact, k);
     const kinematics::Radial at = exact.at(state.t);
     const Eigen::Vector3d r = (rows_of(state.r).row(1) - rows_of(state.r).row(0)).transpose();
-    const Eigen::Vector3d expected = std::cos(phi) * slanted() + std::sin(phi) * across;
+    const Eigen::Vector3d expected = std::cos(phi) * slanted() + std::sin(phi) * turning::across();
     worst.distance = std::max(worst.distance, std::abs(r.norm() - at.r));
     worst.rate = std::max(worst.rate, std::abs(parting(state) / r.norm() - at.v));
     worst.angle = std::max(worst.angle, (r.normalized() - expected).norm());
@@ -68,7 +48,7 @@ Errors errors_at_tenths(const kinematics::Breathing& exact, const Move& move) {
 // A shift in time by a share of the period moves the distance, its rate and the angle at their largest rates.
 template <class Move>
 void compare(Rows& rows, const std::string& method, double share, const std::string& because, const Move& move) {
-  const ExactBreathing exact{.force = kinematics::breathing_pair(alpha1, alpha2, m_i, m_j, l_z), .r_0 = 1.0};
+  const ExactBreathing exact{.force = turning::force(), .r_0 = 1.0};
   const Errors worst = errors_at_tenths(exact.motion, move);
   const double dt = share * period;
   rows.at_most("distance [m], " + method,
@@ -76,7 +56,7 @@ void compare(Rows& rows, const std::string& method, double share, const std::str
   rows.at_most("its rate [m/s], " + method,
                {.limit = dt * exact.largest_acceleration(), .computed = worst.rate, .because = because});
   rows.at_most("angle [rad], " + method,
-               {.limit = dt * l_z / (r_min * r_min), .computed = worst.angle, .because = because});
+               {.limit = dt * turning::l_z / (r_min * r_min), .computed = worst.angle, .because = because});
 }
 
 const Case breathing_rotating{
@@ -86,7 +66,7 @@ const Case breathing_rotating{
      .equation = "D 1.4.1",
      .reference = Reference::closed_form},
     [](Rows& rows) {
-      const kinematics::Breathing exact(kinematics::breathing_pair(alpha1, alpha2, m_i, m_j, l_z), 1.0);
+      const kinematics::Breathing exact(turning::force(), 1.0);
       rows.compare("radial period [s]", {.expected = period,
                                          .computed = exact.period(),
                                          .tolerance = relative(4e-16),
@@ -96,9 +76,9 @@ const Case breathing_rotating{
                                  .tolerance = relative(4e-16),
                                  .because = "A and B are exact here"});
 
-      // Lz = m* l_z with m* = 3/4, about slanted() x across.
-      const NearFieldScene scene = turning_pair();
-      const Eigen::Vector3d expected = 0.75 * l_z * slanted().cross(across);
+      // Lz = m* l_z with m* = 3/4, about slanted() x across().
+      const NearFieldScene scene = turning::pair();
+      const Eigen::Vector3d expected = 0.75 * turning::l_z * slanted().cross(turning::across());
       const Eigen::Vector3d computed =
           kinematics::angular_momentum(scene.particles().mass, scene.particles().position, scene.particles().velocity);
       rows.at_most("error of the start's angular momentum [kg m^2/s]",

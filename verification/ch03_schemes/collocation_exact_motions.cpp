@@ -5,9 +5,9 @@
 #include <string>
 
 #include <fmt/format.h>
-#include <boost/math/quadrature/gauss_kronrod.hpp>
 
 #include <ch01_fundamentals/breathing.hpp>
+#include <ch01_fundamentals/turning_pair.hpp>
 #include <harness/case.hpp>
 #include <particulate/schemes/collocation.hpp>
 #include <particulate/schemes/error_control.hpp>
@@ -111,26 +111,15 @@ const Case collocation_breathing_polygon{
       }
     }};
 
-// The pair of breathing_rotating: masses 1 and 3, r^2 dphi/dt = 1.5.
-constexpr double m_i = 1.0, m_j = 3.0, alpha1 = 1.0, alpha2 = 0.25, l_z = 1.5;
-const Eigen::Vector3d across{3.0 / 7.0, -6.0 / 7.0, 2.0 / 7.0};
-
-NearFieldScene turning_pair() {
-  kinematics::Particles start = pair_at_rest(m_i, m_j, 1.0);
-  kinematics::set_vector(start.velocity, 0, -m_j / (m_i + m_j) * l_z * across);
-  kinematics::set_vector(start.velocity, 1, m_i / (m_i + m_j) * l_z * across);
-  return {start, {}, {.alpha1 = alpha1, .alpha2 = alpha2, .beta1 = 2.0, .beta2 = 3.0}};
-}
-
 // Body 1 seen from body 0, and its velocity, at an angle phi = int l_z/r^2 dt that has been integrated apart.
 void compare_turned(const kinematics::Radial& at, double phi, const schemes::Motion& state, double fastest,
                     BreathingErrors& worst) {
-  const Eigen::Vector3d along = std::cos(phi) * slanted() + std::sin(phi) * across;
-  const Eigen::Vector3d around = std::cos(phi) * across - std::sin(phi) * slanted();
+  const Eigen::Vector3d along = std::cos(phi) * slanted() + std::sin(phi) * turning::across();
+  const Eigen::Vector3d around = std::cos(phi) * turning::across() - std::sin(phi) * slanted();
   const Eigen::Vector3d r = (rows_of(state.r).row(1) - rows_of(state.r).row(0)).transpose();
   const Eigen::Vector3d v = (rows_of(state.v).row(1) - rows_of(state.v).row(0)).transpose();
   keep_worst(worst.position, (r - at.r * along).norm());
-  keep_worst(worst.velocity, (v - at.v * along - l_z / at.r * around).norm() / fastest);
+  keep_worst(worst.velocity, (v - at.v * along - turning::l_z / at.r * around).norm() / fastest);
 }
 
 const Case collocation_rotating_pair{
@@ -139,18 +128,16 @@ const Case collocation_rotating_pair{
      .equation = "D 1.4.1",
      .reference = Reference::closed_form},
     [](Rows& rows) {
-      using Rule = boost::math::quadrature::gauss_kronrod<double, 31>;
-      const kinematics::Breathing exact(kinematics::breathing_pair(alpha1, alpha2, m_i, m_j, l_z), 1.0);
-      const auto turning = [&](double t) { return l_z / std::pow(exact.at(t).r, 2); };
-      NearFieldScene scene = turning_pair();
+      const kinematics::Breathing exact(turning::force(), 1.0);
+      NearFieldScene scene = turning::pair();
       schemes::Motion state = scenes::start(scene);
       Mover move(exact.period());
       BreathingErrors worst;
       double phi = 0.0;
-      const double fastest = l_z / exact.nearest();  // around, where there is no speed along
+      const double fastest = turning::l_z / exact.nearest();  // around, where there is no speed along
       for (int k = 1; k <= 30; ++k) {
         move(scene, state, exact.period() * k / 10.0);
-        phi += Rule::integrate(turning, exact.period() * (k - 1) / 10.0, exact.period() * k / 10.0, 0);
+        phi += turning::turned(exact, k);
         compare_turned(exact.at(state.t), phi, state, fastest, worst);
       }
       const char* const asked = "the catalogue's goal";

@@ -10,6 +10,8 @@
 #include <particulate/schemes/error_control.hpp>
 #include <particulate/schemes/fixed_sweeps.hpp>
 
+#include "classical_problems.hpp"
+
 /// @file
 /// The collocation family as a competitor. A problem's type is erased, as it is for SUNDIALS: each method is compiled
 /// once, whatever it solves and whether that is recorded or replayed.
@@ -25,17 +27,6 @@ struct AnyMotion {
   bool acceleration(double t, schemes::In r, schemes::Out a) const { return answer(t, r, a); }
   /// Forwards. @see particulate::schemes::Measures
   double distance(schemes::In x, schemes::In y) const { return measure(x, y); }
-};
-
-/// Rates with a Jacobian, with the problem's type erased.
-struct AnyValues {
-  std::function<bool(double, schemes::In, schemes::Out)> answer;           ///< the rate
-  std::function<void(double, schemes::In, Eigen::MatrixXd&)> derivatives;  ///< its Jacobian
-
-  /// Forwards. @see particulate::schemes::FirstOrderProblem
-  bool rate(double t, schemes::In y, schemes::Out dy) const { return answer(t, y, dy); }
-  /// Forwards. @see particulate::schemes::HasJacobian
-  void jacobian(double t, schemes::In y, Eigen::MatrixXd& J) const { derivatives(t, y, J); }
 };
 
 /// A run that has begun: `advance(state, t_end)`.

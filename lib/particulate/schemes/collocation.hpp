@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <limits>
 #include <stdexcept>
 #include <string_view>
@@ -41,6 +40,18 @@ struct CollocationSettings {
 /// @param settings  the settings
 /// @throws std::invalid_argument naming the setting, what must hold and what was given
 void validate(const CollocationSettings& settings);
+
+namespace detail {
+
+/// sum += scale sum_j w_j k_j.
+///
+/// @param w      one weight for each column of k
+/// @param scale  of all weights
+/// @param k      n x s
+/// @param sum    n
+void add_weighted(const double* w, double scale, const Eigen::MatrixXd& k, Eigen::VectorXd& sum);
+
+}  // namespace detail
 
 /// Collocation: the polynomial whose rates are right at s nodes of the step. The family to which the monograph's scheme
 /// belongs as its member of one stage.
@@ -99,11 +110,12 @@ class Collocation {
   /// @return whether the problem had a value where it was asked
   template <class P, class State>
   bool predict(P& problem, const State& from, double dt, State& to) {
-    begin<P>(from, dt);
+    begin<P>(from);
     if (!guess(problem, from, dt)) return false;
-    if constexpr (is_newton)
-      if (!newton_.prepare(problem, from, dt, {.A = table().A, .sizes = sizes(from), .bad = retried_ || rate_ > slow}))
-        return false;
+    if constexpr (is_newton) {
+      const bool bad = retried_ || rate_ > slow;
+      if (!newton_.prepare(problem, from, dt, {.A = table().A, .sizes = sizes(from), .bad = bad})) return false;
+    }
     to.t = from.t + dt;
     finish(from, dt, to);
     if constexpr (!is_newton && S > 1) weigh_otherwise<P, State>(dt);
@@ -128,7 +140,7 @@ class Collocation {
     } else {
       before_ = measured(from, to);
       finish(from, dt, to);
-      const double scale = p_of<P> == 1 && is_motion<State> ? dt : 1.0;
+      const double scale = needs_speed_ ? dt : 1.0;
       if (first) {
         if (zero_.size() != before_.size()) zero_.setZero(before_.size());
         measure_.normalize(distance(problem, place_of(to), place_of(from)),
@@ -192,10 +204,13 @@ class Collocation {
     const Row once = table().once(theta);
     there.t = from.t + theta * dt;
     if constexpr (is_motion<State>) {
-      combine(from.r + (theta * dt) * from.v, k_, dt * dt * table().twice(theta), there.r);
-      combine(from.v, k_, dt * once, there.v);
+      there.r = from.r + (theta * dt) * from.v;
+      there.v = from.v;
+      detail::add_weighted(table().twice(theta).data(), dt * dt, k_, there.r);
+      detail::add_weighted(once.data(), dt, k_, there.v);
     } else {
-      combine(from.y, k_, dt * once, there.y);
+      there.y = from.y;
+      detail::add_weighted(once.data(), dt, k_, there.y);
     }
   }
 
@@ -203,7 +218,6 @@ class Collocation {
   using Table = CollocationTable<Nodes>;
   using Row = typename Table::Row;
   static constexpr int S = Nodes::stages;
-  using Rates = Eigen::Matrix<double, Eigen::Dynamic, S>;
   template <class State>
   static constexpr bool is_motion = std::is_same_v<State, Motion>;
   template <class P>
@@ -234,9 +248,9 @@ class Collocation {
   // --- The step ------------------------------------------------------------------------------------------------------
 
   template <class P, class State>
-  void begin(const State& from, double dt) {
+  void begin(const State& from) {
     const Eigen::Index n = place_of(from).size();
-    needs_speed_ = MotionProblem<P>;
+    needs_speed_ = is_motion<State> && !PositionProblem<P>;
     rate_ = measure_.iteration().rate;
     measure_.begin(is_newton ? 1 : p_of<P>);
     if constexpr (std::is_same_v<Solver, Anderson>) solver_.forget();
@@ -254,7 +268,6 @@ class Collocation {
     }
     k_.resize(n, S);
     f_.resize(n);
-    dt_ = dt;
   }
 
   bool continues(const Motion& from) const {
@@ -274,9 +287,11 @@ class Collocation {
       return true;
     }
     if (has_old_) {
-      Eigen::Matrix<double, S, S> weights;
-      for (int i = 0; i < S; ++i) weights.col(i) = table().basis(1.0 + table().c[i] * dt / old_dt_);
-      k_.noalias() = old_ * weights;
+      for (int i = 0; i < S; ++i) {
+        f_.setZero();
+        detail::add_weighted(table().basis(1.0 + table().c[i] * dt / old_dt_).data(), 1.0, old_, f_);
+        k_.col(i) = f_;
+      }
     } else {
       place(from);
       if (!derive(problem, from, from.t, start_)) return false;
@@ -293,22 +308,18 @@ class Collocation {
   }
   void place(const Values& from) { place_ = from.y; }
 
-  // base + sum_j w_j k_j in one pass over the unknowns.
-  template <class Base, std::size_t... J>
-  static void combine(const Base& base, const Rates& k, const Row& w, std::index_sequence<J...>, Eigen::VectorXd& sum) {
-    sum = (base + ... + (w[J] * k.col(J)));
-  }
-  template <class Base>
-  static void combine(const Base& base, const Rates& k, const Row& w, Eigen::VectorXd& sum) {
-    combine(base, k, w, std::make_index_sequence<S>(), sum);
-  }
-
   // State of stage i, from the rates as they stand.
   void place(const Motion& from, double dt, int i) {
-    combine(from.r + (table().c[i] * dt) * from.v, k_, dt * dt * table().A_bar.row(i).transpose(), place_);
-    if (needs_speed_) combine(from.v, k_, dt * table().A.row(i).transpose(), speed_);
+    place_ = from.r + (table().c[i] * dt) * from.v;
+    detail::add_weighted(table().A_bar.row(i).data(), dt * dt, k_, place_);
+    if (!needs_speed_) return;
+    speed_ = from.v;
+    detail::add_weighted(table().A.row(i).data(), dt, k_, speed_);
   }
-  void place(const Values& from, double dt, int i) { combine(from.y, k_, dt * table().A.row(i).transpose(), place_); }
+  void place(const Values& from, double dt, int i) {
+    place_ = from.y;
+    detail::add_weighted(table().A.row(i).data(), dt, k_, place_);
+  }
 
   template <class P>
   bool derive(P& problem, const Motion&, double t, Eigen::VectorXd& rate) {
@@ -343,7 +354,8 @@ class Collocation {
         if (!rate_at_stage(problem, from, dt, i)) return false;
         image_.col(i) = f_;
       }
-      return mix(from, dt);
+      mix(from, dt);
+      return true;
     }
   }
 
@@ -358,12 +370,14 @@ class Collocation {
         l[j] = c[later] / c[j];
         for (int m = 0; m <= i; ++m) l[j] *= m == j ? 1.0 : (c[later] - c[m]) / (c[j] - c[m]);
       }
-      k_.col(later) = at_start * start_ + k_ * l;
+      f_ = at_start * start_;
+      detail::add_weighted(l.data(), 1.0, k_, f_);
+      k_.col(later) = f_;
     }
   }
 
   template <class State>
-  bool mix(const State& from, double dt) {
+  void mix(const State& from, double dt) {
     if constexpr (is_newton) {
       const Eigen::MatrixXd change = newton_.solve(image_ - k_);
       k_ += change;
@@ -374,7 +388,6 @@ class Collocation {
       solver_.next(x, gx);
       Flat(k_.data(), k_.size()) = x;
     }
-    return true;
   }
 
   // Largest change of a stage, each number over its size.
@@ -385,7 +398,8 @@ class Collocation {
     const auto& A = is_motion<State> ? table().A_bar : table().A;
     double largest = 0.0;
     for (int i = 0; i < S; ++i) {
-      const Eigen::VectorXd moved = power * (change * A.row(i).transpose());
+      Eigen::VectorXd moved = Eigen::VectorXd::Zero(size.size());
+      detail::add_weighted(A.row(i).data(), power, change, moved);
       largest = std::max(largest, moved.cwiseQuotient(size).cwiseAbs().maxCoeff());
       if (!moved.allFinite()) return std::numeric_limits<double>::quiet_NaN();
     }
@@ -402,31 +416,36 @@ class Collocation {
   // the step: changes that turn, as they do where the slowest contracting ones are a pair, are never blind to both.
   template <class P, class State>
   void weigh_otherwise(double dt) {
-    if (zero_.size() != k_.rows()) zero_.setZero(k_.rows());
+    other_.setZero(k_.rows());
     const Row& weights = PositionProblem<P> ? table().b : table().b_bar;
-    combine(zero_, k_, (is_motion<State> ? dt * dt : dt) * weights, other_);
+    detail::add_weighted(weights.data(), is_motion<State> ? dt * dt : dt, k_, other_);
   }
 
   void finish(const Motion& from, double dt, Motion& to) {
-    const Row by_place = dt * dt * table().b_bar, by_speed = dt * table().b;
+    const double *const by_place = table().b_bar.data(), *const by_speed = table().b.data();
     if (settings_.compensated) {
-      combine(dt * from.v - carry_, k_, by_place, change_);
+      change_ = dt * from.v - carry_;
+      detail::add_weighted(by_place, dt * dt, k_, change_);
       add(from.r, to.r, new_carry_);
-      combine(-speed_carry_, k_, by_speed, change_);
+      change_ = -speed_carry_;
+      detail::add_weighted(by_speed, dt, k_, change_);
       add(from.v, to.v, new_speed_carry_);
     } else {
-      combine(from.r + dt * from.v, k_, by_place, to.r);
-      combine(from.v, k_, by_speed, to.v);
+      to.r = from.r + dt * from.v;
+      detail::add_weighted(by_place, dt * dt, k_, to.r);
+      to.v = from.v;
+      detail::add_weighted(by_speed, dt, k_, to.v);
     }
     new_end_ = to;
   }
   void finish(const Values& from, double dt, Values& to) {
-    const Row by_rate = dt * table().b;
     if (settings_.compensated) {
-      combine(-carry_, k_, by_rate, change_);
+      change_ = -carry_;
+      detail::add_weighted(table().b.data(), dt, k_, change_);
       add(from.y, to.y, new_carry_);
     } else {
-      combine(from.y, k_, by_rate, to.y);
+      to.y = from.y;
+      detail::add_weighted(table().b.data(), dt, k_, to.y);
     }
     new_end_.t = to.t;
     new_end_.r = to.y;
@@ -435,19 +454,19 @@ class Collocation {
   // --- Its error -----------------------------------------------------------------------------------------------------
 
   // Largest of |x_i|, over its size or that of the value.
-  double over_sizes(const Eigen::VectorXd& x, const Values& to) const {
+  double over_sizes(const Eigen::VectorXd& x, const Values& to, double) const {
     if (settings_.sizes.size() > 0) return x.cwiseQuotient(to.y.cwiseAbs().cwiseMax(sizes(to))).cwiseAbs().maxCoeff();
     return (x.array().abs() / to.y.array().abs().max(settings_.size)).maxCoeff();
   }
   // Of accelerations, as they move velocities and, over the step, positions.
-  double over_sizes(const Eigen::VectorXd& x, const Motion& to) const {
+  double over_sizes(const Eigen::VectorXd& x, const Motion& to, double dt) const {
     const double speed = std::max(settings_.speed, to.v.cwiseAbs().maxCoeff());
     if (settings_.sizes.size() > 0) {
       return std::max(x.cwiseAbs().maxCoeff() / speed,
-                      dt_ * x.cwiseQuotient(to.r.cwiseAbs().cwiseMax(sizes(to))).cwiseAbs().maxCoeff());
+                      dt * x.cwiseQuotient(to.r.cwiseAbs().cwiseMax(sizes(to))).cwiseAbs().maxCoeff());
     }
     const double size = std::max(settings_.size, to.r.cwiseAbs().maxCoeff());
-    return x.cwiseAbs().maxCoeff() * std::max(1.0 / speed, dt_ / size);
+    return x.cwiseAbs().maxCoeff() * std::max(1.0 / speed, dt / size);
   }
 
   template <class State>
@@ -457,32 +476,33 @@ class Collocation {
       if (settings_.guess == Guess::free_flight) return {};
       change_ = k_.col(0) - guessed_;
     } else {
-      change_.noalias() = k_ * table().top;
+      change_.setZero(k_.rows());
+      detail::add_weighted(table().top.data(), 1.0, k_, change_);
     }
     f_ = k_.cwiseAbs().rowwise().maxCoeff();
-    const double rate = over_sizes(f_, to);
+    const double rate = over_sizes(f_, to, dt);
     if (rate == 0.0) return {.error = 0.0, .order = order};
-    const double eta = over_sizes(change_, to) / rate;
+    const double eta = over_sizes(change_, to, dt) / rate;
     return {.error = dt * rate * std::pow(eta, static_cast<double>(order) / std::max(S - 1, 1)), .order = order};
   }
 
   template <class P>
   Truncation defect_at_start(P& problem, const Values& from, double dt, const Values& to) {
     if (from.y.size() == 0) return {.error = 0.0, .order = S};
-    const Row at_start = table().basis(0.0);
     if (has_old_) {
       start_ = old_.col(S - 1);
     } else if (settings_.guess == Guess::free_flight) {
       place(from);
       if (!derive(problem, from, from.t, start_)) return {.error = std::numeric_limits<double>::infinity(), .order = S};
     }
-    change_.noalias() = k_ * at_start;
+    change_.setZero(k_.rows());
+    detail::add_weighted(table().basis(0.0).data(), 1.0, k_, change_);
     Eigen::VectorXd error = filtered(start_ - change_, dt);
     if (retried_ || !has_old_) {  // the stiff part of a start off the slow solution has still to be damped once
       place_ = from.y + error;
       if (derive(problem, from, from.t, f_)) error = filtered(f_ - change_, dt);
     }
-    return {.error = over_sizes(error, to), .order = S};
+    return {.error = over_sizes(error, to, dt), .order = S};
   }
   Eigen::VectorXd filtered(const Eigen::VectorXd& defect, double dt) const {
     if constexpr (is_newton) {
@@ -496,13 +516,13 @@ class Collocation {
   Solver solver_;
   typename NewtonOf<Solver>::type newton_;
   IterationMeasure measure_;
-  Rates k_, old_, image_;                                                          // one column a stage
+  Eigen::MatrixXd k_, old_, image_;                                                // one column a stage
   Eigen::VectorXd f_, start_, guessed_;                                            // rates
   Eigen::VectorXd place_, speed_, change_, before_, other_, other_before_, zero_;  // scratch
   Eigen::VectorXd carry_, speed_carry_, new_carry_, new_speed_carry_;  // what rounding added to the start, to the end
   Motion end_{.t = std::numeric_limits<double>::quiet_NaN(), .r = {}, .v = {}};  // of the step accepted last
   Motion new_end_;                                                               // of the step made last
-  double old_dt_ = 0.0, dt_ = 0.0, newton_change_ = 0.0, rate_ = 0.0;
+  double old_dt_ = 0.0, newton_change_ = 0.0, rate_ = 0.0;
   double refused_at_ = std::numeric_limits<double>::quiet_NaN();
   bool accepted_ = false, has_old_ = false, bootstraps_ = false, retried_ = false, needs_speed_ = false;
 };

@@ -82,17 +82,17 @@ struct Radau {
 /// @tparam Nodes  Gauss or Radau
 template <class Nodes>
 struct CollocationTable {
-  static constexpr int S = Nodes::stages;      ///< stages [-]
-  using Row = Eigen::Matrix<double, S, 1>;     ///< one weight a stage
-  using Square = Eigen::Matrix<double, S, S>;  ///< one row a stage
-  Row c;                                       ///< nodes, see CollocationCoefficients
-  Row b;                                       ///< weights of the rates at the end
-  Row b_bar;                                   ///< weights of the accelerations in the position at the end
-  Row top;                                     ///< weights of the leading coefficient
-  Row x;                                       ///< points of Gauss quadrature
-  Row w;                                       ///< its weights
-  Square A;                                    ///< weights of the rates at the nodes
-  Square A_bar;                                ///< weights of the accelerations in the positions at the nodes
+  static constexpr int S = Nodes::stages;                       ///< stages [-]
+  using Row = Eigen::Matrix<double, S, 1>;                      ///< one weight a stage
+  using Square = Eigen::Matrix<double, S, S, Eigen::RowMajor>;  ///< one row a stage, contiguous
+  Row c;                                                        ///< nodes, see CollocationCoefficients
+  Row b;                                                        ///< weights of the rates at the end
+  Row b_bar;     ///< weights of the accelerations in the position at the end
+  Row top;       ///< weights of the leading coefficient
+  Row x;         ///< points of Gauss quadrature
+  Row w;         ///< its weights
+  Square A;      ///< weights of the rates at the nodes
+  Square A_bar;  ///< weights of the accelerations in the positions at the nodes
 
   /// @return the table of this method, computed once
   static const CollocationTable& get() {

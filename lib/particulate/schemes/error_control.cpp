@@ -3,24 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include <particulate/schemes/iteration.hpp>
+#include <particulate/schemes/step_settings.hpp>
 
 namespace particulate::schemes {
-
-namespace {
-
-void require(bool holds, const char* what_must_hold, double given) {
-  if (!holds) throw std::invalid_argument(fmt::format("error control: {}, got {}", what_must_hold, given));
-}
-
-bool positive(double x) { return x > 0.0 && std::isfinite(x); }
-
-}  // namespace
 
 bool ErrorControl::goes_on(const Iteration& it) const {
   const bool hopeless = it.K >= 2 && it.rate >= 1.0;
@@ -67,32 +57,26 @@ Decision ErrorControl::refuse(const Attempt& made) {
                        .workable = next}
             : unmet(made, sweep_TOL, allowed);
   refused = true;
-  if (decision.failure == Failure::rounding) return decision;
-  if (next < smallest) {
-    decision.impossible +=
-        fmt::format("; the next to try is {:.4g} s, below the smallest allowed {:.4g} s", next, smallest);
-    return decision;
-  }
-  step = next;
-  decision.refusal = std::exchange(decision.impossible, {});
+  decision = detail::retried(std::move(decision), next, smallest);
+  if (decision.impossible.empty()) step = next;
   return decision;
 }
 
 void validate(const ErrorControl& control) {
-  validate_tolerance("error control", control.TOL);
+  constexpr const char* whose = "error control";
+  validate_tolerance(whose, control.TOL);
   validate_tolerance("error control, sweeps", control.sweep_TOL);
-  require(control.K_d >= 1, "K_d must be at least 1", control.K_d);
-  require(control.allowed >= control.K_d, "allowed must be at least K_d", control.allowed);
-  require(positive(control.limit), "limit must be positive and finite, in s", control.limit);
-  require(positive(control.step) && control.step <= control.limit, "step must be positive and at most limit, in s",
-          control.step);
-  require(control.smallest >= 0.0 && control.smallest <= control.step, "smallest must be in [0, step], in s",
-          control.smallest);
-  require(control.safety > 0.0 && control.safety <= 1.0, "safety must be in (0, 1]", control.safety);
-  require(control.growth > 1.0 && std::isfinite(control.growth), "growth must be finite and above 1", control.growth);
-  require(control.worth >= 1.0 && std::isfinite(control.worth), "worth must be finite and at least 1", control.worth);
-  require(control.retry > 0.0 && control.retry < 1.0, "retry must be in (0, 1)", control.retry);
-  require(control.shrink > 0.0 && control.shrink < control.retry, "shrink must be in (0, retry)", control.shrink);
+  detail::require(whose, control.K_d >= 1, "K_d must be at least 1", control.K_d);
+  detail::require(whose, control.allowed >= control.K_d, "allowed must be at least K_d", control.allowed);
+  detail::require(whose, control.safety > 0.0 && control.safety <= 1.0, "safety must be in (0, 1]", control.safety);
+  detail::require(whose, control.worth >= 1.0 && std::isfinite(control.worth), "worth must be finite and at least 1",
+                  control.worth);
+  detail::validate(whose, {.step = control.step,
+                           .limit = control.limit,
+                           .smallest = control.smallest,
+                           .growth = control.growth,
+                           .retry = control.retry,
+                           .shrink = control.shrink});
 }
 
 }  // namespace particulate::schemes

@@ -1,11 +1,7 @@
 #include <particulate/schemes/fixed_step.hpp>
 
-#include <cmath>
-#include <stdexcept>
-
-#include <fmt/format.h>
-
 #include <particulate/schemes/iteration.hpp>
+#include <particulate/schemes/step_settings.hpp>
 
 namespace particulate::schemes {
 
@@ -22,14 +18,9 @@ Decision FixedStep::judge(const Attempt& made) const {
 }
 
 void validate(const FixedStep& control) {
-  if (!(control.step > 0.0 && std::isfinite(control.step))) {
-    throw std::invalid_argument(fmt::format("fixed step: step must be positive and finite, got {} s", control.step));
-  }
+  detail::validate_step("fixed step", control.step);
   if (control.TOL) validate_tolerance("fixed step", *control.TOL);
-  if (control.contractions < 1) {
-    throw std::invalid_argument(
-        fmt::format("fixed step: contractions must be at least 1, got {}", control.contractions));
-  }
+  detail::require("fixed step", control.contractions >= 1, "contractions must be at least 1", control.contractions);
 }
 
 }  // namespace particulate::schemes

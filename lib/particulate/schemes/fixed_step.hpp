@@ -12,6 +12,8 @@ namespace particulate::schemes {
 /// from coming closer. A step that has no value, or whose sweeps do not get there, cannot be made smaller: the run
 /// fails there, and says what was seen.
 struct FixedStep {
+  static constexpr bool ignores_truncation = true;  ///< it is given no estimate
+
   double step = 0.0;               ///< Dt, > 0 and finite [s]
   std::optional<double> TOL = {};  ///< on the error w_K of the sweeps, at least 2.3e-16; none: to rounding [-]
   int contractions = 1000;         ///< sweeps allowed after the first, >= 1 [-]

@@ -1,11 +1,7 @@
 #include <particulate/schemes/fixed_sweeps.hpp>
 
-#include <cmath>
-#include <stdexcept>
-
-#include <fmt/format.h>
-
 #include <particulate/schemes/iteration.hpp>
+#include <particulate/schemes/step_settings.hpp>
 
 namespace particulate::schemes {
 
@@ -19,12 +15,8 @@ Decision FixedSweeps::judge(const Attempt& made) const {
 }
 
 void validate(const FixedSweeps& control) {
-  if (!(control.step > 0.0 && std::isfinite(control.step))) {
-    throw std::invalid_argument(fmt::format("fixed sweeps: step must be positive and finite, got {} s", control.step));
-  }
-  if (control.sweeps < 1) {
-    throw std::invalid_argument(fmt::format("fixed sweeps: sweeps must be at least 1, got {}", control.sweeps));
-  }
+  detail::validate_step("fixed sweeps", control.step);
+  detail::require("fixed sweeps", control.sweeps >= 1, "sweeps must be at least 1", control.sweeps);
 }
 
 }  // namespace particulate::schemes

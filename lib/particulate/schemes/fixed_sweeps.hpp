@@ -9,6 +9,8 @@ namespace particulate::schemes {
 /// What the sweeps leave adds to the error of the step, as measured by refining it. Satisfies Controller. A step that
 /// has no value, or whose sweeps drive the iterates apart, fails the run.
 struct FixedSweeps {
+  static constexpr bool ignores_truncation = true;  ///< it is given no estimate
+
   double step = 0.0;  ///< Dt, > 0 and finite [s]
   int sweeps = 2;     ///< of each step, >= 1 [-]
 

@@ -71,7 +71,7 @@ Attempt attempt(S& scheme, P& problem, const State& from, double dt, State& to, 
   }
   if constexpr (Staggers<S>) made.fields = scheme.iterations();
   it.evaluated = it.evaluated && is_finite(to);
-  if constexpr (EstimatesTruncation<S, P, State>) {
+  if constexpr (EstimatesTruncation<S, P, State> && !IgnoresTruncation<C>) {
     if (it.evaluated) made.truncation = scheme.truncation(problem, from, dt, to);
   }
   return made;

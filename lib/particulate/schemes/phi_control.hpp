@@ -22,6 +22,8 @@ namespace particulate::schemes {
 ///
 /// Satisfies Controller. It is a value: a copy of it is a checkpoint, `step` is all that it remembers.
 struct PhiControl {
+  static constexpr bool ignores_truncation = true;  ///< it is given no estimate
+
   double TOL = 1e-6;      ///< tolerance on w_K, at least 2.3e-16 [-]
   int K_d = 10;           ///< desired contractions, >= 1 [-]
   double step = 0.0;      ///< the step to try next, at first the first one; in (0, limit] [s]

@@ -115,6 +115,11 @@ concept Controller = std::copyable<C> && requires(C& c, const C& seen, const Ite
   validate(seen);
 };
 
+/// Ability of a controller: `ignores_truncation`, a constant. No estimate is then made for it, which may cost
+/// right-hand sides.
+template <class C>
+concept IgnoresTruncation = C::ignores_truncation;
+
 /// How a run ended.
 enum class Status {
   reached,  ///< the end time was reached

@@ -51,10 +51,13 @@ class StageEigenvalues {
   Eigen::MatrixXcd apart_, together_;
 };
 
-/// Dense matrices and their LU decomposition with partial pivoting.
-class DenseStages {
+/// Decomposes and solves the systems of StageEigenvalues by LU decomposition with pivoting.
+///
+/// @tparam M  matrix of a Jacobian: Eigen::MatrixXd, or Eigen::SparseMatrix<double> (banded ones too)
+template <class M>
+class LinearStages {
  public:
-  using Matrix = Eigen::MatrixXd;  ///< of a Jacobian
+  using Matrix = M;  ///< of a Jacobian
 
   /// Decomposes the systems.
   ///
@@ -85,6 +88,10 @@ class DenseStages {
   struct Factors;
   std::shared_ptr<const Factors> factors_;  // never changed, so that copies may share them
 };
+
+/// Dense matrices.
+using DenseStages = LinearStages<Eigen::MatrixXd>;
+extern template class LinearStages<Eigen::MatrixXd>;
 
 /// Simplified Newton: the Jacobian is taken at the start of a step and kept as long as the sweeps contract fast.
 ///
