@@ -279,8 +279,8 @@ report::Checks ch03::run(const Family& p, const report::Output& output, bool qui
     return seen;
   };
   const double spacing = quick ? 0.5 : 0.25;
-  for (double x = -10.0; x <= 6.0; x += spacing) {
-    for (double y = 0.0; y <= 11.0; y += spacing) {
+  for (double x = -13.0; x <= 6.0; x += spacing) {
+    for (double y = 0.0; y <= 14.0; y += spacing) {
       const std::complex<double> z(x, y + 1e-3);
       const schemes::Picard picard;
       const schemes::Sequential turn;

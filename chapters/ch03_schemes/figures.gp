@@ -216,8 +216,8 @@ set multiplot layout 1,2 margins 0.08,0.98,0.18,0.9 spacing 0.1
 set size ratio -1
 set xlabel 'Re z'
 set ylabel 'Im z'
-set xrange [-10:6]
-set yrange [0:11]
+set xrange [-13:6]
+set yrange [0:14]
 family(c) = sprintf('family_%d.dat', c)
 unset key
 set title 'all stages at once'

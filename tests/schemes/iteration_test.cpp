@@ -115,6 +115,15 @@ BOOST_AUTO_TEST_CASE(takes_no_infinite_change_for_a_value_and_keeps_the_last_fin
   }
 }
 
+BOOST_AUTO_TEST_CASE(remembers_after_an_overflow_that_the_sweeps_were_diverging) {
+  IterationMeasure measure;
+  measure.begin(1);
+  measure.normalize(1.0, 1.0);
+  measure.record(1.0);
+  measure.record(1e200);
+  BOOST_TEST(measure.record(std::numeric_limits<double>::quiet_NaN()).rate == 1e200);
+}
+
 BOOST_AUTO_TEST_CASE(books_that_there_is_no_value) { BOOST_TEST(!three_sweeps().no_value().evaluated); }
 
 BOOST_AUTO_TEST_SUITE_END()

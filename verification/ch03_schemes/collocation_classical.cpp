@@ -31,7 +31,8 @@ Published published(const P& problem, const Eigen::Vector3d& sizes, double TOL) 
 }
 
 template <class Nodes, class P>
-void compare(Rows& rows, const std::string& how, P problem, const Published& known) {
+void compare(Rows& rows, const std::string& how, P of, const Published& known) {
+  Counted<P> problem{of};
   const Eigen::Index n = known.start.y.size();
   Collocation<Nodes, Newton<>> scheme({.sizes = known.sizes.head(n)});
   ErrorControl control{.TOL = known.TOL,
@@ -46,6 +47,15 @@ void compare(Rows& rows, const std::string& how, P problem, const Published& kno
   rows.equal(how + ": ended", {.expected = "reached",
                                .computed = out.reason.empty() ? "reached" : out.reason,
                                .because = "there is an answer at the end only"});
+  if constexpr (HasJacobian<P>) {
+    rows.at_least(
+        how + ": Jacobians",
+        {.limit = 10.0, .computed = static_cast<double>(problem.jacobians), .because = "it changes by decades"});
+    rows.at_most(how + ": Jacobians, over steps",
+                 {.limit = 0.9,
+                  .computed = static_cast<double>(problem.jacobians) / static_cast<double>(out.steps),
+                  .because = "kept where the sweeps contract fast"});
+  }
   for (Eigen::Index k = 0; k < n; ++k) {
     rows.compare(fmt::format("{}: y{}", how, k + 1), {.expected = known.end.y[k],
                                                       .computed = state.y[k],

@@ -125,4 +125,42 @@ const Case tolerance_proportionality{
       compare_reactions<Radau<5>>(rows, "Radau 5, Newton", 1e-3, 1e-7);
     }};
 
+// One oscillator: all its accelerations, and all derivatives of these, pass zero together, and with them either the
+// leading coefficient or the size that it is taken over, twice a period.
+template <class Nodes>
+void compare_blind(Rows& rows, const std::string& method, double limit, const std::string& because) {
+  double worst = 0.0, least = 1.0;
+  for (int k = 0; k <= 10; ++k) {
+    const double TOL = 1e-4 * std::pow(10.0, -0.5 * k);
+    Oscillators one = oscillator(1.0);
+    Motion state = motion(1.0, 0.0);
+    Collocation<Nodes> scheme;
+    ErrorControl control{.TOL = TOL, .sweep_TOL = 1e-2 * TOL, .step = 1e-2, .limit = 100.0};
+    const auto watch = [&](const Motion& from, const Motion& to, double dt, Collocation<Nodes> made) {
+      const double estimate = made.truncation(one, from, dt, to).error;
+      if (from.t > 1.0) least = std::min(least, estimate / TOL);
+      keep_worst(worst, std::hypot(to.r[0] - std::cos(to.t), to.v[0] + std::sin(to.t)) / TOL);
+      return true;
+    };
+    require_reached(integrate(one, state, 25.0, scheme, control, watch));
+  }
+  rows.at_most("least estimate over TOL, " + method,
+               {.limit = 1e-2, .computed = least, .because = "without a step that sees nothing there is no such case"});
+  rows.at_most("largest error at any step over TOL, " + method,
+               {.limit = limit, .computed = worst, .because = because});
+}
+
+const Case estimate_blind{
+    {.name = "estimate_blind",
+     .claim = "where the leading coefficient passes zero the estimate sees nothing, and the error is still bounded by "
+              "what one step can grow",
+     .equation = "D 3.4",
+     .reference = Reference::closed_form},
+    [](Rows& rows) {
+      const char* const high = "elsewhere the estimate is hundreds of times too large, which makes up for it";
+      compare_blind<Gauss<2>>(rows, "Gauss 2", 243.0, "the step after may be three times as long: 3^5 times TOL");
+      compare_blind<Gauss<4>>(rows, "Gauss 4", 1.0, high);
+      compare_blind<Gauss<8>>(rows, "Gauss 8", 1.0, high);
+    }};
+
 }  // namespace

@@ -42,6 +42,7 @@ struct Problem {
   Ladder runge_kutta, verlet, backward_euler, trapezoidal;
   double tightest, tightest_of_bdf;  // tolerances; 1 for none
   Steps collocation;                 // of both methods at fixed steps; none at first = 0
+  int a_decade = 2;                  // tolerances of adaptive methods
   std::vector<Competitor> others = {};
 };
 
@@ -65,7 +66,7 @@ const Party sundials{"SUNDIALS",
 std::vector<Competitor> by_sundials(const Problem& of) {
   using reference::ExplicitRungeKutta, reference::Table;
   const auto toleranced = [&](const char* name, double tightest, auto begin) {
-    return competitor(name, of.judged.race, tolerances(tightest), begin);
+    return competitor(name, of.judged.race, tolerances(tightest, 1e-4, of.a_decade), begin);
   };
   std::vector<Competitor> all{
       toleranced("CVODE Adams", of.tightest, by(reference::Adams{})),
@@ -180,7 +181,7 @@ const Case stiff{
       of.others = {by_kinsol_with_anderson(of, few), backward_euler_with_anderson(of, few),
                    stepped(fixed, of, {.steps = few}, sweeping_at_fixed_step(BackwardEuler(), sweeps(of, 1)))};
       of.collocation = {8, 1.45, 6};
-      measure(rows, of, {{1.4, 1.5, 1.6, 2.0}, {0, 0, 0, 0}, nine_stops});
+      measure(rows, of, {{1.4, 1.5, 1.6, 1.8}, {0, 0, 0, 0}, nine_stops});
       const auto& points = rows.points();
       const auto largest =
           std::find_if(points.begin(), points.end(), [&](const auto& point) { return point.method == fixed; });
@@ -232,7 +233,7 @@ Problem cloud_of(Rows& rows, Eigen::Index N, const std::string& name, std::uint6
 // Of a cloud whose many evaluations are to be counted: the parties of the front, and a ruler.
 std::vector<Competitor> parties(const Problem& of) {
   std::vector<Competitor> few{stepped("RK4", of, of.runge_kutta, at_fixed_step<schemes::RungeKutta4>())};
-  append(few, by_collocation(of.judged.race, of.collocation));
+  append(few, by_collocation(of.judged.race, of.collocation, of.a_decade));
   append(few, by_sundials(of));
   return few;
 }
@@ -288,8 +289,10 @@ const Case other_seeds{
       }
     }};
 
+const std::string of_thousand = "seen 2.3, 1.9, 2.3 and 2.8 on the first seed: as a hundred, but for the nearest pairs";
+
 // The evaluations of a thousand bodies are counted on every seed, and timed on the first. A quick run takes two
-// hundred, of the first seed alone. The ratios are reported, in front_near_field_*.csv.
+// hundred, of the first seed alone.
 const Case thousand{
     claim_of("near_field_1000", "a cloud of a thousand under a near field", Reference::sundials), [](Rows& rows) {
       const Eigen::Index N = rows.quick() ? 200 : 1000;
@@ -297,8 +300,12 @@ const Case thousand{
         const std::string name = fmt::format("near_field_{}{}", N, seed == 1 ? "" : fmt::format("_seed_{}", seed));
         Problem of = cloud_of(rows, N, name, seed);
         of.runge_kutta = {{40, 1.35, 4}, 4.0};
+        of.collocation = {4, 1.35, 9};  // some of a thousand come nearer to one another
+        of.a_decade = 1;
+        of.tightest = 1e-12;
         measure(rows, of, parties(of), rows.full() && seed == 1);
-        compare_fronts(rows, name, sundials, {{adaptive, {0, 0, 0, 0}, ""}, {at_fixed_steps, {0, 0, 0, 0}, ""}});
+        compare_fronts(rows, name, sundials,
+                       {{adaptive, {1.7, 1.5, 1.7, 1.7}, of_thousand}, {at_fixed_steps, {0, 0, 0, 0}, ""}});
       }
     }};
 

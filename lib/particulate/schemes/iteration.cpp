@@ -39,7 +39,9 @@ void IterationMeasure::normalize(double displacement, double size) {
 
 const Iteration& IterationMeasure::record(double change) {
   const double w = change > 0.0 ? change / denominator_ : 0.0;
-  it_.rate = it_.change > 0.0 ? change / it_.change : 0.0;
+  // What overflows may end as NaN: the last ratio still tells whether the sweeps were diverging.
+  const double rate = it_.change > 0.0 ? change / it_.change : 0.0;
+  if (!std::isnan(rate)) it_.rate = rate;
   if (!(std::isfinite(change) && std::isfinite(w))) return no_value();
   it_.K = waits_for_first() ? 0 : it_.K + 1;
   if (it_.K == 0) it_.w_0 = w;
