@@ -113,12 +113,12 @@ inline const Party at_fixed_steps{"collocation, fixed steps", {"Gauss 4, 2 sweep
 ///
 /// @param race   their task
 /// @param steps  in a leg, of those at fixed steps; none if there are to be no such
-/// @param a_decade  tolerances in a decade, of those that choose their steps [-]
+/// @param tightest  tolerance of those that choose their steps [-]
 /// @return tuned competitors
 template <class P>
-std::vector<Competitor> by_collocation(const Race<P>& race, const Steps& steps, int a_decade = 2) {
+std::vector<Competitor> by_collocation(const Race<P>& race, const Steps& steps, double tightest = 1e-11) {
   constexpr Choice few_stages{.stages = 4, .share = 1.0, .growth = 1.5}, many_stages{.stages = 8, .share = 1e3};
-  const std::vector<double> TOL = tolerances(1e-11, 1.0, a_decade);
+  const std::vector<double> TOL = tolerances(tightest, 1.0);
   std::vector<Competitor> all{tuned(competitor("Gauss 4", race, TOL, gauss_under_control(few_stages, race))),
                               tuned(competitor("Gauss 8", race, TOL, gauss_under_control(many_stages, race)))};
   if (steps.first == 0) return all;

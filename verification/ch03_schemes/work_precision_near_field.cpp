@@ -42,7 +42,6 @@ struct Problem {
   Ladder runge_kutta, verlet, backward_euler, trapezoidal;
   double tightest, tightest_of_bdf;  // tolerances; 1 for none
   Steps collocation;                 // of both methods at fixed steps; none at first = 0
-  int a_decade = 2;                  // tolerances of adaptive methods
   std::vector<Competitor> others = {};
 };
 
@@ -66,7 +65,7 @@ const Party sundials{"SUNDIALS",
 std::vector<Competitor> by_sundials(const Problem& of) {
   using reference::ExplicitRungeKutta, reference::Table;
   const auto toleranced = [&](const char* name, double tightest, auto begin) {
-    return competitor(name, of.judged.race, tolerances(tightest, 1e-4, of.a_decade), begin);
+    return competitor(name, of.judged.race, tolerances(tightest), begin);
   };
   std::vector<Competitor> all{
       toleranced("CVODE Adams", of.tightest, by(reference::Adams{})),
@@ -233,7 +232,7 @@ Problem cloud_of(Rows& rows, Eigen::Index N, const std::string& name, std::uint6
 // Of a cloud whose many evaluations are to be counted: the parties of the front, and a ruler.
 std::vector<Competitor> parties(const Problem& of) {
   std::vector<Competitor> few{stepped("RK4", of, of.runge_kutta, at_fixed_step<schemes::RungeKutta4>())};
-  append(few, by_collocation(of.judged.race, of.collocation, of.a_decade));
+  append(few, by_collocation(of.judged.race, of.collocation));
   append(few, by_sundials(of));
   return few;
 }
@@ -289,24 +288,24 @@ const Case other_seeds{
       }
     }};
 
-const std::string of_thousand = "seen 2.3, 1.9, 2.3 and 2.8 on the first seed: as a hundred, but for the nearest pairs";
+const std::string of_thousand = "seen 2.1, 2.1, 2.4 and 2.5 or more on six seeds; kernels round differently";
 
-// The evaluations of a thousand bodies are counted on every seed, and timed on the first. A quick run takes two
-// hundred, of the first seed alone.
+// A quick run takes two hundred, and does not time them. Other seeds come by the program's --seed. In its last tenth of
+// a second a cloud of a thousand has fallen so deep that steps must be a tenth of those at the start: equal steps lose,
+// and their ratios are reported only.
 const Case thousand{
     claim_of("near_field_1000", "a cloud of a thousand under a near field", Reference::sundials), [](Rows& rows) {
       const Eigen::Index N = rows.quick() ? 200 : 1000;
-      for (std::uint64_t seed = 1; seed <= (rows.quick() ? 1 : 6); ++seed) {
-        const std::string name = fmt::format("near_field_{}{}", N, seed == 1 ? "" : fmt::format("_seed_{}", seed));
-        Problem of = cloud_of(rows, N, name, seed);
-        of.runge_kutta = {{40, 1.35, 4}, 4.0};
-        of.collocation = {4, 1.35, 9};  // some of a thousand come nearer to one another
-        of.a_decade = 1;
+      Problem of = cloud_of(rows, N, fmt::format("near_field_{}", N), rows.seed());
+      of.runge_kutta = {{40, 1.35, 4}, 4.0};
+      if (rows.full()) {
+        of.runge_kutta.steps = {132, 1.2, 4};
+        of.collocation = {20, 1.6, 2};
         of.tightest = 1e-12;
-        measure(rows, of, parties(of), rows.full() && seed == 1);
-        compare_fronts(rows, name, sundials,
-                       {{adaptive, {1.7, 1.5, 1.7, 1.7}, of_thousand}, {at_fixed_steps, {0, 0, 0, 0}, ""}});
       }
+      measure(rows, of, parties(of), rows.full());
+      compare_fronts(rows, of.name, sundials,
+                     {{adaptive, {1.8, 1.8, 2.1, 2.1}, of_thousand}, {at_fixed_steps, {0, 0, 0, 0}, ""}});
     }};
 
 const Case outputs{

@@ -141,11 +141,10 @@ inline std::vector<double> step_sizes(double leg, const Steps& steps, int multip
 ///
 /// @param tightest  the last, at most the loosest [-]
 /// @param loosest   the first [-]
-/// @param a_decade  so many in a decade, >= 1 [-]
-/// @return tolerances, falling
-inline std::vector<double> tolerances(double tightest, double loosest = 1e-4, int a_decade = 2) {
+/// @return two tolerances a decade
+inline std::vector<double> tolerances(double tightest, double loosest = 1e-4) {
   std::vector<double> all;
-  for (double exponent = std::log10(loosest); exponent >= std::log10(tightest) - 1e-9; exponent -= 1.0 / a_decade) {
+  for (double exponent = std::log10(loosest); exponent >= std::log10(tightest) - 1e-9; exponent -= 0.5) {
     all.push_back(std::pow(10.0, exponent));
   }
   return all;
