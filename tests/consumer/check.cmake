@@ -10,8 +10,9 @@ cmake_minimum_required(VERSION 3.25)
 set(forbidden SUNDIALS Boost CLI11 tomlplusplus nlohmann_json benchmark OpenMP Doxygen)
 list(TRANSFORM forbidden REPLACE "(.+)" "-DCMAKE_DISABLE_FIND_PACKAGE_\\1=ON" OUTPUT_VARIABLE nothing_else)
 set(consumer "${CMAKE_CURRENT_LIST_DIR}")
-# Where the library is compiled anew, what counts is that it can be.
-set(hasty -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O0)
+# Where the library is compiled anew, what counts is that it can be: unoptimized, and a topic at a time.
+set(hasty -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O0 -DCMAKE_UNITY_BUILD=ON
+    -DCMAKE_UNITY_BUILD_BATCH_SIZE=100)
 
 # run(<what> <command>...): its output in `output`; anything but success ends the test.
 function(run what)
