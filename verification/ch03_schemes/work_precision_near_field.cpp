@@ -299,7 +299,7 @@ const Case thousand{
       Problem of = cloud_of(rows, N, fmt::format("near_field_{}", N), rows.seed());
       of.runge_kutta = {{40, 1.35, 4}, 4.0};
       if (rows.full()) {
-        of.runge_kutta.steps = {132, 1.26, 4};
+        of.runge_kutta.steps = {600, 1.26, 4};
         of.collocation = {20, 1.6, 2};
         of.tightest = 1e-12;
       }
