@@ -40,6 +40,14 @@ StageEigenvalues::StageEigenvalues(const Eigen::MatrixXd& A) {
   together_.conservativeResize(kept, s);
 }
 
+Eigen::MatrixXcd StageEigenvalues::apart(const Eigen::Ref<const Eigen::MatrixXd>& residual) const {
+  return residual * apart_;
+}
+
+Eigen::MatrixXd StageEigenvalues::together(const Eigen::MatrixXcd& solutions) const {
+  return (solutions * together_).real();
+}
+
 namespace {
 
 template <class M>

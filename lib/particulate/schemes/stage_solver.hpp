@@ -38,12 +38,12 @@ class StageEigenvalues {
   ///
   /// @param residual  n x s, one column a stage
   /// @return one column for each of values()
-  Eigen::MatrixXcd apart(const Eigen::Ref<const Eigen::MatrixXd>& residual) const { return residual * apart_; }
+  Eigen::MatrixXcd apart(const Eigen::Ref<const Eigen::MatrixXd>& residual) const;
   /// Their solutions put together.
   ///
   /// @param solutions  one column for each of values()
   /// @return n x s, one column a stage
-  Eigen::MatrixXd together(const Eigen::MatrixXcd& solutions) const { return (solutions * together_).real(); }
+  Eigen::MatrixXd together(const Eigen::MatrixXcd& solutions) const;
 
  private:
   std::vector<std::complex<double>> values_;
