@@ -5,6 +5,7 @@
 
 #include <sys/wait.h>
 
+#include <fmt/format.h>
 #include <boost/test/unit_test.hpp>
 
 namespace tests {
@@ -28,7 +29,7 @@ struct Ended {
 /// @param arguments  as a shell takes them
 /// @return how it ended
 inline Ended run(const std::string& program, const std::string& arguments) {
-  const std::string command = std::string(PROGRAMS) + "/" + program + " " + arguments + " 2>&1";
+  const std::string command = fmt::format("{}/{} {} 2>&1", PROGRAMS, program, arguments);
   std::FILE* pipe = ::popen(command.c_str(), "r");
   Ended ended{.status = -1, .output = {}};
   char block[4096];
