@@ -205,9 +205,10 @@ concept Impacts = requires(const L& law, const Moving& at, Touching touching, sc
 };
 
 /// A law that locates its impacts: `first_impact(law, domain, radius, inverse_mass, path, end)`.
-template <class L, class D, class Path>
+template <class L, class D>
 concept LocatesImpacts = Impacts<L> &&
-    requires(const L& law, const D& domain, const Eigen::VectorXd& x, const Path& path, double end) {
+    requires(const L& law, const D& domain, const Eigen::VectorXd& x, const schemes::StepPath& path,
+             double end) {
   { first_impact(law, domain, x, x, path, end) } -> std::same_as<std::optional<double>>;
 };
 

@@ -153,11 +153,10 @@ struct Gap {
 };
 
 // All gaps along one step.
-template <kinematics::Domain D, class Path>
+template <kinematics::Domain D>
 class Gaps {
  public:
-  Gaps(const D& domain, const Eigen::VectorXd& radius, const Eigen::VectorXd& inverse_mass, const Path& path,
-       double end)
+  Gaps(const D& domain, const Eigen::VectorXd& radius, const Eigen::VectorXd& inverse_mass, const schemes::StepPath& path, double end)
       : domain_(domain),
         radius_(radius),
         inverse_mass_(inverse_mass),
@@ -199,7 +198,7 @@ class Gaps {
   using Rows = Eigen::Map<const kinematics::Vectors>;
   static Rows rows(const Eigen::VectorXd& flat) { return {flat.data(), flat.size() / 3, 3}; }
 
-  double width(const Gap& gap, const schemes::Motion& there) const {
+  double width(const Gap& gap, const schemes::State& there) const {
     const Rows r = rows(there.r);
     if (gap.wall) return kinematics::height_above(*gap.wall, r.row(gap.i).transpose()) - radius_[gap.i];
     return separation(domain_, r.row(gap.i).transpose(), r.row(gap.j).transpose()).norm() -
@@ -207,7 +206,7 @@ class Gaps {
   }
 
   // Its derivative by theta.
-  double opening(const Gap& gap, const schemes::Motion& there) const {
+  double opening(const Gap& gap, const schemes::State& there) const {
     const Rows r = rows(there.r), v = rows(there.v);
     const Eigen::Vector3d v_i = v.row(gap.i);
     if (gap.wall) return path_.dt * v_i.dot(gap.wall->normal);
@@ -263,11 +262,11 @@ class Gaps {
   const D& domain_;
   const Eigen::VectorXd& radius_;
   const Eigen::VectorXd& inverse_mass_;
-  const Path& path_;
+  const schemes::StepPath& path_;
   std::vector<double> places_;
-  std::vector<schemes::Motion> states_;
+  std::vector<schemes::State> states_;
   Eigen::VectorXd travel_;  // the farthest that each body can get within the step [m]
-  schemes::Motion there_;
+  schemes::State there_;
 };
 
 }  // namespace detail
@@ -283,10 +282,10 @@ class Gaps {
 /// @return its place, in (0, end]; none if no gap closes. A near miss is given as well where dense output, taken to be
 /// off
 ///         by 1e-4 of the radii in the middle of the step, cannot tell it from a touch
-template <class R, class F, kinematics::Domain D, schemes::SampledPath<schemes::Motion> Path>
+template <class R, class F, kinematics::Domain D>
 std::optional<double> first_impact(const LocatedContact<R, F>& law, const D& domain, const Eigen::VectorXd& radius,
-                                   const Eigen::VectorXd& inverse_mass, const Path& path, double end) {
-  return detail::Gaps<D, Path>(domain, radius, inverse_mass, path, end).first_closing(touching_tolerance(law));
+                                   const Eigen::VectorXd& inverse_mass, const schemes::StepPath& path, double end) {
+  return detail::Gaps<D>(domain, radius, inverse_mass, path, end).first_closing(touching_tolerance(law));
 }
 
 /// Resolves the contacts of a moment: the jump of a scene with this law.

@@ -31,7 +31,7 @@ namespace {
 
 using schemes::Outcome;
 using schemes::Status;
-using schemes::Values;
+using schemes::State;
 
 // What a flag means and what to do. CVODE and ARKODE share these numbers.
 std::string_view meaning(int flag) {
@@ -65,8 +65,8 @@ constexpr std::array kinds{"Adams", "explicit Runge-Kutta", "BDF", "implicit-exp
 static_assert(kinds.size() == std::variant_size_v<Method>);
 
 // What a method needs of the problem, its size and its events.
-void validate_match(const ErasedProblem& problem, const Values& start, const Method& method, const Events& events) {
-  const Eigen::Index n = start.y.size();
+void validate_match(const schemes::Problem& problem, const State& start, const Method& method, const Events& events) {
+  const Eigen::Index n = start.r.size() + start.v.size() + start.y.size();
   const auto* const bdf = std::get_if<Bdf>(&method);
   const bool of_cvode = bdf || std::holds_alternative<Adams>(method);
   if (!events.directions.empty() && !(of_cvode && n > 0)) {
@@ -74,7 +74,7 @@ void validate_match(const ErasedProblem& problem, const Values& start, const Met
         fmt::format("integrator: events need the Adams or BDF methods and at least one unknown, got {} and {} unknowns",
                     kinds.at(method.index()), n));
   }
-  if (std::holds_alternative<ImplicitExplicit>(method) && !(problem.slow && problem.fast)) {
+  if (std::holds_alternative<ImplicitExplicit>(method) && !problem.splits()) {
     throw std::invalid_argument(
         "integrator: an implicit-explicit method needs a first-order problem in two parts, got one that does not "
         "split; give it rate_slow and rate_fast, or take Bdf");
@@ -90,36 +90,31 @@ void validate_match(const ErasedProblem& problem, const Values& start, const Met
 
 }  // namespace
 
-schemes::Values first_order_form(const schemes::Motion& motion) {
-  Values form{.t = motion.t, .y = Eigen::VectorXd(motion.r.size() + motion.v.size())};
-  form.y << motion.r, motion.v;
-  return form;
-}
-
 struct Integrator::Machinery {
   sundials::Context context;
   detail::Callback callback;
-  Values last;            // the last accepted state: what SUNDIALS leaves of a failing step does not touch it
-  Eigen::VectorXd y;      // what SUNDIALS writes a step's end to
-  detail::Vector vector;  // y, as SUNDIALS sees it
+  detail::Flat last;      // the last accepted state: what SUNDIALS leaves of a failing step does not touch it
+  Eigen::VectorXd x;      // what SUNDIALS writes a step's end to
+  detail::Vector vector;  // x, as SUNDIALS sees it
   std::variant<detail::NothingToSolve, detail::Cvode, detail::Arkode> memory;
   long max_steps = 0;
   bool stands_at_last = true;  // false: SUNDIALS must start afresh before it goes on
   std::vector<Hit> hits;       // events that ended the last advance
 
-  Machinery(ErasedProblem problem, const Values& start, const Method& method, const Events& events)
-      : callback{.problem = std::move(problem),
+  Machinery(const schemes::Problem& problem, const State& start, const Method& method, const Events& events)
+      : callback{.problem = problem,
+                 .at = start,
                  .events = events,
                  .residue = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(events.directions.size())),
                  .armed = std::vector<bool>(events.directions.size(), false)},
-        last(start),
-        y(start.y) {
+        last{.t = start.t, .x = flat(start)},
+        x(last.x) {
     std::visit([this](const auto& settings) { max_steps = settings.max_steps; }, method);
-    if (y.size() == 0) return;
+    if (x.size() == 0) return;
 #if SUNDIALS_VERSION_MAJOR >= 7
     SUNContext_ClearErrHandlers(context);
 #endif
-    vector.reset(detail::made(N_VMake_Serial(y.size(), y.data(), context), "N_VMake_Serial"));
+    vector.reset(detail::made(N_VMake_Serial(x.size(), x.data(), context), "N_VMake_Serial"));
     std::visit(
         [this](const auto& settings) {
           using Memory = std::conditional_t<std::is_constructible_v<detail::Cvode, decltype(settings),
@@ -130,10 +125,11 @@ struct Integrator::Machinery {
         method);
   }
 
-  void start_at(const Values& state) {
-    if (stands_at_last && state.t == last.t && state.y == last.y) return;
-    last = state;
-    y = state.y;
+  void start_at(const State& state) {
+    Eigen::VectorXd given = flat(state);
+    if (stands_at_last && state.t == last.t && given == last.x) return;
+    last = {.t = state.t, .x = std::move(given)};
+    x = last.x;
     callback.armed.assign(callback.armed.size(), false);
     std::visit([this](auto& solver) { solver.restart(last.t, vector.get()); }, memory);
     stands_at_last = true;
@@ -195,9 +191,9 @@ struct Integrator::Machinery {
           "the step became too small to change the time: t + Dt = t; stop before this time, where the solution or "
           "its right-hand side is not smooth");
     }
-    if (!y.allFinite()) return stuck("the step led to a value that is not finite; stop before, or take smaller steps");
+    if (!x.allFinite()) return stuck("the step led to a value that is not finite; stop before, or take smaller steps");
     last.t = t;
-    last.y = y;
+    last.x = x;
     stands_at_last = true;
     return {};
   }
@@ -207,10 +203,12 @@ struct Integrator::Machinery {
   template <class Memory>
   std::string stop_at_event(const Memory& solver, double t) {
     last.t = t;
-    last.y = y;
+    last.x = x;
     hits = solver.hits();
     Eigen::VectorXd here(callback.residue.size());
-    callback.events.functions(t, y, here);
+    callback.at.t = t;
+    unflatten(x, callback.at);
+    callback.events.functions(callback.at, here);
     callback.residue = (here.array().abs() <= callback.residue.array()).select(callback.residue, 0.0);
     for (Hit& hit : hits) {
       hit.t = t;
@@ -241,48 +239,40 @@ struct Integrator::Machinery {
   }
 };
 
-Integrator::Integrator(ErasedProblem problem, const Values& start, const Method& method, const Events& events) {
+Integrator::Integrator(const schemes::Problem& problem, const State& start, const Method& method,
+                       const Events& events) {
   std::visit([](const auto& settings) { validate(settings); }, method);
   validate(events);
-  schemes::validate_run(start, start.t);
+  schemes::validate_run(problem.traits(), start, start.t);
   validate_match(problem, start, method, events);
-  machinery_ = std::make_unique<Machinery>(std::move(problem), start, method, events);
+  machinery_ = std::make_unique<Machinery>(problem, start, method, events);
 }
 
 Integrator::Integrator(Integrator&&) noexcept = default;
 Integrator& Integrator::operator=(Integrator&&) noexcept = default;
 Integrator::~Integrator() = default;
 
-Values Integrator::checked_form(const schemes::Motion& start) {
-  schemes::validate_run(start, start.t);
-  return first_order_form(start);
-}
-
-Outcome Integrator::advance(Values& state, double t_end) {
-  schemes::validate_run(state, t_end);
+Outcome Integrator::advance(State& state, double t_end) {
   Machinery& at = *machinery_;
-  if (state.y.size() != at.last.y.size()) {
+  schemes::validate_run(at.callback.problem.traits(), state, t_end);
+  if (state.r.size() != at.callback.at.r.size() || state.y.size() != at.callback.at.y.size()) {
     throw std::invalid_argument(
         fmt::format("integrator: the state must keep the {} unknowns that the integrator was made for, got {}",
-                    at.last.y.size(), state.y.size()));
+                    at.last.x.size(), flat(state).size()));
   }
   at.start_at(state);
   Outcome out = std::visit([&](auto& solver) { return at.run(solver, t_end); }, at.memory);
-  state = at.last;
-  return out;
-}
-
-Outcome Integrator::advance(schemes::Motion& state, double t_end) {
-  schemes::validate_run(state, t_end);
-  Values form = first_order_form(state);
-  Outcome out = advance(form, t_end);
-  state.t = form.t;
-  state.v = form.y.tail(state.v.size());
-  state.r = form.y.head(state.r.size());
+  state.t = at.last.t;
+  state.t_carry = 0.0;
+  unflatten(at.last.x, state);
   return out;
 }
 
 const std::vector<Hit>& Integrator::hits() const { return machinery_->hits; }
+
+Outcome integrate(const schemes::Problem& problem, State& state, double t_end, const Method& method) {
+  return Integrator(problem, state, method).advance(state, t_end);
+}
 
 long Integrator::evaluations_by_sundials() const {
   return std::visit([](const auto& solver) { return solver.counts().evaluations; }, machinery_->memory);

@@ -5,22 +5,15 @@
 
 #include <particulate/reference/events.hpp>
 #include <particulate/reference/method.hpp>
-#include <particulate/reference/problem.hpp>
 #include <particulate/schemes/problem.hpp>
 #include <particulate/schemes/scheme.hpp>
 
 namespace particulate::reference {
 
-/// Positions and velocities as one vector \f$ y = (r, v) \f$.
-///
-/// @param motion  a moment of a second-order problem
-/// @return the same moment of its first-order form
-schemes::Values first_order_form(const schemes::Motion& motion);
-
 /// A method of SUNDIALS at work on a problem of ours: the independent judge of every scheme.
 ///
-/// The problem is the very object that the schemes get. Its right-hand side reads and writes the vectors of SUNDIALS in
-/// place. What the problem throws comes out of advance() as it was thrown. Where it has no value, or none that is
+/// The problem is the very object that the schemes get. SUNDIALS keeps (r, v, y) in one vector, where right-hand sides read
+/// and write in place; it is copied at the ends of a leg. What the problem throws comes out of advance() as it was thrown. Where it has no value, or none that is
 /// finite, the step is tried again smaller; so it is where a Jacobian is not finite.
 ///
 /// Accuracy has a floor of about 1e-11 (Adams), 1e-12 (explicit Runge-Kutta) or 2e-9 (BDF) relative, measured over ten
@@ -30,20 +23,15 @@ class Integrator {
  public:
   /// Sets a method up on a problem.
   ///
-  /// @param problem  the right-hand side, of the order of the state; it must outlive the integrator
+  /// @param problem  the right-hand side; it must outlive the integrator
   /// @param start    where the first advance is expected to start; it fixes the number of unknowns
   /// @param method   the method and its settings
   /// @param events   where to stop on the way; only with Adams or Bdf, and at least one unknown
   /// @throws std::invalid_argument if the start is not finite, its lengths differ, a setting or the events cannot be
   /// meant, a band is as wide as the problem, or ImplicitExplicit is to solve what is no first-order problem in two
   /// parts (schemes::Splits)
-  template <schemes::FirstOrderProblem P>
-  Integrator(P& problem, const schemes::Values& start, const Method& method, const Events& events = {})
-      : Integrator(erased(problem, start), start, method, events) {}
-  /// @copydoc Integrator(P&, const schemes::Values&, const Method&, const Events&)
-  template <schemes::SecondOrderProblem P>
-  Integrator(P& problem, const schemes::Motion& start, const Method& method, const Events& events = {})
-      : Integrator(erased(problem, start), checked_form(start), method, events) {}
+  Integrator(const schemes::Problem& problem, const schemes::State& start, const Method& method,
+             const Events& events = {});
 
   Integrator(Integrator&&) noexcept;  ///< What was moved from can only be destroyed or assigned to.
   /// Takes over what another integrator holds. @return this integrator
@@ -72,9 +60,7 @@ class Integrator {
   ///         means, what to do
   /// @throws std::invalid_argument for a state that is not finite or has changed its length, and for a bad end
   /// @throws whatever the problem or the events throw
-  schemes::Outcome advance(schemes::Values& state, double t_end);
-  /// @copydoc advance(schemes::Values&, double)
-  schemes::Outcome advance(schemes::Motion& state, double t_end);
+  schemes::Outcome advance(schemes::State& state, double t_end);
 
   /// @return the events at which the last advance stopped, in the order of their functions; none if it did not stop
   const std::vector<Hit>& hits() const;
@@ -85,24 +71,18 @@ class Integrator {
  private:
   struct Machinery;
 
-  Integrator(ErasedProblem problem, const schemes::Values& start, const Method& method, const Events& events);
-  static schemes::Values checked_form(const schemes::Motion& start);
-
   std::unique_ptr<Machinery> machinery_;
 };
 
 /// Advances a state to t_end in one leg.
 ///
-/// @param problem  the right-hand side, of the order of the state
+/// @param problem  the right-hand side
 /// @param state    the start; on return the state at Outcome::t. If the problem throws it stays as it was.
 /// @param t_end    the end time, not before the start [s]
 /// @param method   the method and its settings
 /// @return as Integrator::advance()
 /// @throws std::invalid_argument for a start, an end or a setting that cannot be meant
 /// @throws whatever the problem throws
-template <class P, class State>
-schemes::Outcome integrate(P& problem, State& state, double t_end, const Method& method) {
-  return Integrator(problem, state, method).advance(state, t_end);
-}
+schemes::Outcome integrate(const schemes::Problem& problem, schemes::State& state, double t_end, const Method& method);
 
 }  // namespace particulate::reference

@@ -89,7 +89,7 @@ class Scene {
   bool acceleration(double t, schemes::In r, schemes::Out a) const requires(!needs_velocity) {
     return force(places(t, r), a) && divide_by_mass(a);
   }
-  /// Accelerations at given positions and velocities. @see schemes::MotionProblem
+  /// Accelerations at given positions and velocities. @see schemes::StateProblem
   ///
   /// @param t  time [s]
   /// @param r  positions, 3 N numbers, column by column [m]
@@ -105,7 +105,7 @@ class Scene {
   /// @param state  a state of this scene
   /// @param f      receives the forces, 3 N numbers, column by column [N]
   /// @return whether they have a value there
-  bool total_force(const schemes::Motion& state, schemes::Out f) const {
+  bool total_force(const schemes::State& state, schemes::Out f) const {
     if constexpr (needs_velocity) {
       return force(moving(state.t, state.r, state.v), f);
     } else {
@@ -117,7 +117,7 @@ class Scene {
   ///
   /// @param state  a state of this scene
   /// @return energy [J]
-  double potential_energy(const schemes::Motion& state) const requires(contact::Conservative<Laws, D>&&...) {
+  double potential_energy(const schemes::State& state) const requires(contact::Conservative<Laws, D>&&...) {
     const contact::Places at = places(state.t, state.r);
     return std::apply([&](const auto&... law) { return (0.0 + ... + detail::energy_of(law, domain_, at)); }, laws_);
   }
@@ -127,7 +127,7 @@ class Scene {
   /// @param state  a state of this scene; its velocities are changed
   /// @param dt     the step that ends there [s]
   /// @return impacts, change of kinetic energy, overlap; unsettled if a direction or a force is missing
-  schemes::Jump jump(schemes::Motion& state, double dt) const requires has_impacts {
+  schemes::Jump jump(schemes::State& state, double dt) const requires has_impacts {
     schemes::Jump jump;
     const auto resolve = [&](const auto& law) {
       if constexpr (contact::Impacts<std::decay_t<decltype(law)>>) jump = jump_by(law, state, dt);
@@ -142,12 +142,11 @@ class Scene {
   /// @param path  the step
   /// @param end   how far to look [-]
   /// @return its place, in (0, end]; none if there is none
-  template <schemes::SampledPath<schemes::Motion> Path>
-  std::optional<double> first_jump(const Path& path, double end) const
-      requires(contact::LocatesImpacts<Laws, D, Path> || ...) {
+  std::optional<double> first_jump(const schemes::StepPath& path, double end) const
+      requires(contact::LocatesImpacts<Laws, D> || ...) {
     std::optional<double> first;
     const auto locate = [&](const auto& law) {
-      if constexpr (contact::LocatesImpacts<std::decay_t<decltype(law)>, D, Path>) {
+      if constexpr (contact::LocatesImpacts<std::decay_t<decltype(law)>, D>) {
         first = first_impact(law, domain_, particles_.radius, inverse_mass_, path, end);
       }
     };
@@ -166,7 +165,7 @@ class Scene {
   using Shaped = Eigen::Map<const kinematics::Vectors>;
 
   template <class L>
-  schemes::Jump jump_by(const L& law, schemes::Motion& state, double dt) const {
+  schemes::Jump jump_by(const L& law, schemes::State& state, double dt) const {
     const contact::Moving here = moving(state.t, state.r, state.v);
     contact::Touching touching = contact::find_touching(domain_, here, detail::tolerance_of(law));
     if (!contact::any_approach(touching, here)) return {.overlap = touching.overlap, .unsettled = {}};
@@ -225,7 +224,7 @@ class Scene {
 /// @param scene  the scene
 /// @return its particles' positions and velocities at t = 0
 template <kinematics::Domain D, class... Laws>
-schemes::Motion start(const Scene<D, Laws...>& scene) {
+schemes::State start(const Scene<D, Laws...>& scene) {
   return {.t = 0.0, .r = scene.particles().position.reshaped(), .v = scene.particles().velocity.reshaped()};
 }
 

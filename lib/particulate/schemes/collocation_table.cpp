@@ -95,7 +95,7 @@ std::vector<long double> radau_nodes(int s) {
   return nodes;
 }
 
-CollocationCoefficients collocation_coefficients(const std::vector<long double>& nodes) {
+CollocationTable collocation_table(const std::vector<long double>& nodes) {
   const auto s = static_cast<Eigen::Index>(nodes.size());
   require_stages(static_cast<int>(s));
   const ExtendedVector c = Eigen::Map<const ExtendedVector>(nodes.data(), s);
@@ -131,6 +131,32 @@ CollocationCoefficients collocation_coefficients(const std::vector<long double>&
           .top = top.cast<double>(),
           .x = quadrature.x.cast<double>(),
           .w = quadrature.w.cast<double>()};
+}
+
+StageWeights CollocationTable::basis(double theta) const {
+  const Eigen::Index s = stages();
+  StageWeights l = top;
+  double before = 1.0, behind = 1.0;
+  for (Eigen::Index j = 0; j < s; ++j) {
+    l[j] *= before;
+    before *= theta - c[j];
+    l[s - 1 - j] *= behind;
+    behind *= theta - c[s - 1 - j];
+  }
+  return l;
+}
+
+StageWeights CollocationTable::once(double theta) const {
+  StageWeights sum = StageWeights::Zero(stages());
+  for (Eigen::Index m = 0; m < stages(); ++m) sum += w[m] * basis(theta * x[m]);
+  return theta * sum;
+}
+
+StageWeights CollocationTable::twice(double theta) const {
+  const StageWeights at = once(theta);
+  StageWeights sum = StageWeights::Zero(stages());
+  for (Eigen::Index j = 0; j < stages(); ++j) sum += at[j] * A.row(j).transpose();
+  return sum;
 }
 
 }  // namespace particulate::schemes

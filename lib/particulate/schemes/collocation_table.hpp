@@ -9,7 +9,10 @@
 
 namespace particulate::schemes {
 
-/// Coefficients of one collocation method with s stages, for a step of length 1.
+/// One weight a stage, without asking for memory.
+using StageWeights = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 16, 1>;
+
+/// Coefficients of one collocation method with s stages, for a step of length 1, and its polynomials at any point.
 ///
 /// With the Lagrange polynomials \f$ l_j \f$ of the nodes,
 ///
@@ -18,15 +21,34 @@ namespace particulate::schemes {
 /// Source: @cite hairer1993, sections II.7 and II.14. A and b make \f$ y' = f \f$ a step; the Nystrom form of
 /// \f$ r'' = a \f$ takes positions from \f$ \bar A, \bar b \f$ and velocities from A, b, which is the same method with
 /// the velocities of the stages left out.
-struct CollocationCoefficients {
+struct CollocationTable {
+  using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;  ///< one row a stage
   Eigen::VectorXd c;      ///< nodes in (0, 1], rising [-]
   Eigen::VectorXd b;      ///< weights of the rates at the end of the step [-]
-  Eigen::MatrixXd A;      ///< weights of the rates at the nodes, s x s [-]
+  Square A;               ///< weights of the rates at the nodes, s x s [-]
   Eigen::VectorXd b_bar;  ///< weights of the accelerations in the position at the end [-]
-  Eigen::MatrixXd A_bar;  ///< weights of the accelerations in the positions at the nodes, s x s [-]
+  Square A_bar;           ///< weights of the accelerations in the positions at the nodes, s x s [-]
   Eigen::VectorXd top;    ///< weights of the leading coefficient of the polynomial through the nodes [-]
   Eigen::VectorXd x;      ///< points of Gauss quadrature on [0, 1], s of them [-]
   Eigen::VectorXd w;      ///< its weights [-]
+
+  /// @return the number of stages s [-]
+  Eigen::Index stages() const { return c.size(); }
+  /// The Lagrange polynomials, for a value at a point of the step, inside or beyond.
+  ///
+  /// @param theta  in units of the step, from its start
+  /// @return \f$ l_j(\theta) \f$
+  StageWeights basis(double theta) const;
+  /// Their integrals.
+  ///
+  /// @param theta  in units of the step, from its start
+  /// @return \f$ \int_0^\theta l_j \f$
+  StageWeights once(double theta) const;
+  /// The integrals of what the method makes of their integrals, for positions in Nystrom form.
+  ///
+  /// @param theta  in units of the step, from its start
+  /// @return \f$ A^T \int_0^\theta l \f$: row i of A A at node i, and A^T b at the end
+  StageWeights twice(double theta) const;
 };
 
 /// The Gauss nodes: zeros of the Legendre polynomial of degree s on [0, 1].
@@ -51,7 +73,7 @@ std::vector<long double> radau_nodes(int s);
 /// @param nodes  distinct, rising, in (0, 1]
 /// @return coefficients
 /// @throws std::invalid_argument for other nodes
-CollocationCoefficients collocation_coefficients(const std::vector<long double>& nodes);
+CollocationTable collocation_table(const std::vector<long double>& nodes);
 
 /// Gauss collocation: order 2 s, symmetric, symplectic and A-stable, with stages inside the step only.
 ///
@@ -77,65 +99,12 @@ struct Radau {
   static std::vector<long double> nodes() { return radau_nodes(S); }
 };
 
-/// The coefficients of one method at a size that the compiler knows, and its polynomials at any point.
-///
 /// @tparam Nodes  Gauss or Radau
+/// @return the table of this method, computed once
 template <class Nodes>
-struct CollocationTable {
-  static constexpr int S = Nodes::stages;                       ///< stages [-]
-  using Row = Eigen::Matrix<double, S, 1>;                      ///< one weight a stage
-  using Square = Eigen::Matrix<double, S, S, Eigen::RowMajor>;  ///< one row a stage, contiguous
-  Row c;                                                        ///< nodes, see CollocationCoefficients
-  Row b;                                                        ///< weights of the rates at the end
-  Row b_bar;     ///< weights of the accelerations in the position at the end
-  Row top;       ///< weights of the leading coefficient
-  Row x;         ///< points of Gauss quadrature
-  Row w;         ///< its weights
-  Square A;      ///< weights of the rates at the nodes
-  Square A_bar;  ///< weights of the accelerations in the positions at the nodes
-
-  /// @return the table of this method, computed once
-  static const CollocationTable& get() {
-    static const CollocationTable table;
-    return table;
-  }
-
-  /// The Lagrange polynomials, for a value at a point of the step, inside or beyond.
-  ///
-  /// @param theta  in units of the step, from its start
-  /// @return \f$ l_j(\theta) \f$
-  Row basis(double theta) const {
-    Row l = top;
-    double before = 1.0, behind = 1.0;
-    for (int j = 0; j < S; ++j) {
-      l[j] *= before;
-      before *= theta - c[j];
-      l[S - 1 - j] *= behind;
-      behind *= theta - c[S - 1 - j];
-    }
-    return l;
-  }
-  /// Their integrals.
-  ///
-  /// @param theta  in units of the step, from its start
-  /// @return \f$ \int_0^\theta l_j \f$
-  Row once(double theta) const {
-    Row sum = Row::Zero();
-    for (int m = 0; m < S; ++m) sum += w[m] * basis(theta * x[m]);
-    return theta * sum;
-  }
-  /// The integrals of what the method makes of their integrals, for positions in Nystrom form.
-  ///
-  /// @param theta  in units of the step, from its start
-  /// @return \f$ A^T \int_0^\theta l \f$: row i of A A at node i, and A^T b at the end
-  Row twice(double theta) const { return A.transpose() * once(theta); }
-
- private:
-  CollocationTable() {
-    const CollocationCoefficients all = collocation_coefficients(Nodes::nodes());
-    c = all.c, b = all.b, b_bar = all.b_bar, top = all.top, x = all.x, w = all.w;
-    A = all.A, A_bar = all.A_bar;
-  }
-};
+const CollocationTable& table_of() {
+  static const CollocationTable table = collocation_table(Nodes::nodes());
+  return table;
+}
 
 }  // namespace particulate::schemes

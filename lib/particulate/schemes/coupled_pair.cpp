@@ -9,7 +9,7 @@ bool FirstOrderPair::rate(double, In y, Out dy) const {
   return true;
 }
 
-bool FirstOrderPair::solve(std::size_t k, const Values& from, double dt, const Values& seen, Values& to) const {
+bool FirstOrderPair::solve(std::size_t k, const State& from, double dt, const State& seen, State& to) const {
   const auto self = static_cast<Eigen::Index>(k);
   const Eigen::Index other = 1 - self;
   const double diagonal = 1.0 + dt * a(self, self);
@@ -22,7 +22,7 @@ bool SecondOrderPair::rate(double, In y, Out dy) const {
   return true;
 }
 
-bool SecondOrderPair::solve(std::size_t k, const Values& from, double dt, const Values& seen, Values& to) const {
+bool SecondOrderPair::solve(std::size_t k, const State& from, double dt, const State& seen, State& to) const {
   const Eigen::Index self = 2 * static_cast<Eigen::Index>(k), other = 2 - self;
   const double pull = -(k == 0 ? c12 : c21) * seen.y[other];
   const double speed = from.y[self + 1] + dt * pull;

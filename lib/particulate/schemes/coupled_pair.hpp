@@ -49,11 +49,10 @@ struct FirstOrderPair {
   /// @param seen  where the other field is taken from
   /// @param to    receives the field
   /// @return whether the equation has a solution
-  bool solve(std::size_t k, const Values& from, double dt, const Values& seen, Values& to) const;
-  /// @param k      which field
-  /// @param state  a state
-  /// @return the field in it
-  Out part(std::size_t k, Values& state) const { return state.y.segment(static_cast<Eigen::Index>(k), 1); }
+  bool solve(std::size_t k, const State& from, double dt, const State& seen, State& to) const;
+  /// @param k  which field
+  /// @return one value
+  Part part(std::size_t k) const { return {.first = static_cast<Eigen::Index>(k), .size = 1}; }
 };
 
 /// Two coupled equations of second order, each solved by backward Euler with the other frozen.
@@ -89,11 +88,10 @@ struct SecondOrderPair {
   /// @param seen  where the other field is taken from
   /// @param to    receives the field
   /// @return true
-  bool solve(std::size_t k, const Values& from, double dt, const Values& seen, Values& to) const;
-  /// @param k      which field
-  /// @param state  a state
-  /// @return the field in it, its value and its rate
-  Out part(std::size_t k, Values& state) const { return state.y.segment(static_cast<Eigen::Index>(2 * k), 2); }
+  bool solve(std::size_t k, const State& from, double dt, const State& seen, State& to) const;
+  /// @param k  which field
+  /// @return a value and its rate
+  Part part(std::size_t k) const { return {.first = static_cast<Eigen::Index>(2 * k), .size = 2}; }
   /// @param x  a value with its rate
   /// @param y  another
   /// @return distance of the values

@@ -81,13 +81,19 @@ Watch::Watch(Events events, const WatchSettings& settings) : events_(std::move(e
   found_.resize(n);
 }
 
-void Watch::evaluate(const Motion& there, Eigen::VectorXd& g) {
-  y_.resize(there.r.size() + there.v.size());
-  y_ << there.r, there.v;
-  events_.functions(there.t, y_, g);
+std::optional<double> Watch::first(const StepPath& path, State& there, double end) {
+  const Evaluate evaluate_at = [&](double theta, double moved, Eigen::VectorXd& g) {
+    path(theta + moved, there);
+    // Along the velocity: the slope of dense positions is not as good as that, even at the end of a step.
+    if (moved != 0.0 && there.r.size() > 0) {
+      path(theta, beside_);
+      there.r = beside_.r + moved * path.dt * beside_.v;
+    }
+    events_.functions(there, g);
+    return there.t;
+  };
+  return first_of(evaluate_at, path.intervals, end);
 }
-
-void Watch::evaluate(const Values& there, Eigen::VectorXd& g) { events_.functions(there.t, there.y, g); }
 
 std::vector<std::vector<Sample>> Watch::samples_of(const Evaluate& at, int intervals, double end) const {
   const std::size_t n = side_.size();

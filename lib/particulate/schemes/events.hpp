@@ -4,7 +4,6 @@
 #include <functional>
 #include <optional>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 #include <particulate/schemes/crossing.hpp>
@@ -21,16 +20,15 @@ enum class Action {
   record  ///< ends a step there, remembers the event and goes on
 };
 
-/// Functions \f$ g_k(t, y) \f$ whose zeros are events.
+/// Functions \f$ g_k(t, r, v, y) \f$ whose zeros are events.
 ///
-/// All are evaluated together: `functions(t, y, g)` writes as many numbers as there are directions. For a second-order
-/// problem \f$ y = (r, v) \f$. The same object can be given to a Watch, and to CVODE as the judge of it, which stops at
+/// All are evaluated together: `functions(state, g)` writes as many numbers as there are directions. The same object can be given to a Watch, and to CVODE as the judge of it, which stops at
 /// every event. What the functions throw comes out of the run as it was thrown.
 struct Events {
-  std::function<void(double t, In y, Out g)> functions = {};  ///< writes every g_k; all continuous and finite
-  std::vector<Direction> directions = {};                     ///< one a function; none: no events
-  std::vector<std::string> names = {};                        ///< one a function; none: they are numbered
-  std::vector<Action> actions = {};                           ///< one a function; none: every event stops
+  std::function<void(const State& at, Out g)> functions = {};  ///< writes every g_k; all continuous and finite
+  std::vector<Direction> directions = {};                      ///< one a function; none: no events
+  std::vector<std::string> names = {};                         ///< one a function; none: they are numbered
+  std::vector<Action> actions = {};                            ///< one a function; none: every event stops
 };
 
 /// An event that happened.
@@ -50,20 +48,6 @@ void validate(const Events& events);
 /// @param hit     one that happened
 /// @return "event 0 falling", with its name in place of "event 0" if it has one
 std::string describe(const Events& events, const Hit& hit);
-
-/// The step just made as a path: the state at a fraction theta of it, by the scheme's dense output.
-template <class S, class State>
-struct StepPath {
-  const S& scheme;    ///< holds the step
-  const State& from;  ///< its start
-  double dt;          ///< the step [s]
-
-  static constexpr int intervals = S::order < 4 ? 4 : S::order;  ///< to sample it in: twice its degree, for Gauss
-
-  /// @param theta  fraction of the step, from 0 to a little beyond 1 [-]
-  /// @param there  receives the state
-  void operator()(double theta, State& there) const { scheme.at(from, dt, theta, there); }
-};
 
 /// Settings of a Watch.
 struct WatchSettings {
@@ -125,22 +109,7 @@ class Watch {
   /// @param end    how far to look, a little beyond 1 at most [-]
   /// @return its place, in (0, end]; none if there is none
   /// @throws std::invalid_argument if an event function is not finite within the step
-  template <class State, SampledPath<State> Path>
-  std::optional<double> first(const Path& path, State& there, double end) {
-    const Evaluate evaluate_at = [&](double theta, double moved, Eigen::VectorXd& g) {
-      path(theta + moved, there);
-      if constexpr (std::is_same_v<State, Motion>) {
-        // Along the velocity: the slope of dense positions is not as good as that, even at the end of a step.
-        if (moved != 0.0) {
-          path(theta, beside_);
-          there.r = beside_.r + moved * path.dt * beside_.v;
-        }
-      }
-      evaluate(there, g);
-      return there.t;
-    };
-    return first_of(evaluate_at, path.intervals, end);
-  }
+  std::optional<double> first(const StepPath& path, State& there, double end);
 
   /// Books the events at the end of a step, as first() found them last.
   ///
@@ -157,28 +126,19 @@ class Watch {
   // Writes every g_k at a place, or a little beside it along the motion there, and returns its time.
   using Evaluate = std::function<double(double theta, double moved, Eigen::VectorXd& g)>;
 
-  void evaluate(const Motion& there, Eigen::VectorXd& g);
-  void evaluate(const Values& there, Eigen::VectorXd& g);
   std::optional<double> first_of(const Evaluate& at, int intervals, double end);
   std::vector<std::vector<Sample>> samples_of(const Evaluate& at, int intervals, double end) const;
   ZeroRules rules_of(std::size_t k, const std::vector<Sample>& samples);
 
   Events events_;
   WatchSettings settings_;
-  Motion beside_;                               // scratch
-  Eigen::VectorXd y_;                           // (r, v)
+  State beside_;                                // scratch
   std::vector<int> side_;                       // of zero, +1 or -1; 0: at zero, not left yet
   std::vector<double> scale_;                   // the largest |g_k| so far
   std::vector<double> left_;                    // |g_k| where its last event was
   std::vector<std::optional<Crossing>> found_;  // in the step as first() saw it last
   std::vector<double> residue_;                 // |g_k| at the end of it
   std::vector<Hit> hits_;
-};
-
-/// A run without events.
-struct Unwatched {
-  /// @return the default of WatchSettings
-  static WatchSettings settings() { return {}; }
 };
 
 }  // namespace particulate::schemes

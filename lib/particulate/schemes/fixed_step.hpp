@@ -13,6 +13,7 @@ namespace particulate::schemes {
 /// fails there, and says what was seen.
 struct FixedStep {
   static constexpr bool ignores_truncation = true;  ///< it is given no estimate
+  static constexpr bool fixes_step = true;          ///< a step beyond a limit of the problem is refused
 
   double step = 0.0;               ///< Dt, > 0 and finite [s]
   std::optional<double> TOL = {};  ///< on the error w_K of the sweeps, at least 2.3e-16; none: to rounding [-]

@@ -1,21 +1,21 @@
 #include <particulate/schemes/integrate.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
+#include <string>
+#include <string_view>
 
 #include <fmt/format.h>
+
+#include <particulate/schemes/iteration.hpp>
 
 namespace particulate::schemes {
 
 namespace {
 
-void validate_times(double t, double t_end) {
-  if (!std::isfinite(t)) throw std::invalid_argument(fmt::format("run: the start time must be finite, got {} s", t));
-  if (!(t_end >= t && std::isfinite(t_end))) {
-    throw std::invalid_argument(
-        fmt::format("run: the end time must be finite and not before the start at {} s, got {} s", t, t_end));
-  }
-}
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 void validate_finite(const Eigen::VectorXd& x, const char* what) {
   for (Eigen::Index k = 0; k < x.size(); ++k) {
@@ -25,28 +25,22 @@ void validate_finite(const Eigen::VectorXd& x, const char* what) {
   }
 }
 
-}  // namespace
-
-void validate_run(const Motion& state, double t_end) {
-  validate_times(state.t, t_end);
-  if (state.r.size() != state.v.size()) {
-    throw std::invalid_argument(fmt::format("run: positions and velocities must have one length, got {} and {}",
-                                            state.r.size(), state.v.size()));
+// What a run would leave where it stands.
+void validate_parts(const Traits& of, const State& state) {
+  if (!of.staggered && !of.motion && state.r.size() > 0) {
+    throw std::invalid_argument(fmt::format(
+        "run: the problem has a rate of values alone, so the state must have no places, got {}: they go into y",
+        state.r.size()));
   }
-  validate_finite(state.r, "positions");
-  validate_finite(state.v, "velocities");
+  if (!of.staggered && !of.values && !of.carries && state.y.size() > 0) {
+    throw std::invalid_argument(
+        fmt::format("run: the problem has no rate for values, so the state must have none, got {}: give it rates(t, r, v, "
+                    "y, a, dy), or the constant values_by_jumps if they change by jumps alone",
+                    state.y.size()));
+  }
 }
 
-void validate_run(const Values& state, double t_end) {
-  validate_times(state.t, t_end);
-  validate_finite(state.y, "values");
-}
-
-bool is_finite(const Motion& state) { return std::isfinite(state.t) && state.r.allFinite() && state.v.allFinite(); }
-
-bool is_finite(const Values& state) { return std::isfinite(state.t) && state.y.allFinite(); }
-
-std::string too_small(double t, double dt, const std::string& refusal) {
+std::string too_small(double t, double dt, const std::string& refusal = {}) {
   if (!refusal.empty()) {
     return fmt::format(
         "at t = {} s no step is small enough, down to Dt = {:.3g} s that changes the time no more; the "
@@ -74,5 +68,271 @@ std::string accumulating(double t, long most) {
       "before, or change the state there",
       most, t);
 }
+
+// A fixed step cannot be cut.
+std::string beyond_limit(double dt, const TimeScale& scale, double spans) {
+  return fmt::format(
+      "a step must span at most {:.6g} of the time scale of {}, which is {:.6g} s, but the fixed step is {:.6g} s: take "
+      "at most {:.6g} s, or a control that adapts its step",
+      spans, scale.name, scale.seconds, dt, spans * scale.seconds);
+}
+
+}  // namespace
+
+void validate_run(const Traits& of, const State& state, double t_end) {
+  if (!std::isfinite(state.t)) {
+    throw std::invalid_argument(fmt::format("run: the start time must be finite, got {} s", state.t));
+  }
+  if (!(t_end >= state.t && std::isfinite(t_end))) {
+    throw std::invalid_argument(
+        fmt::format("run: the end time must be finite and not before the start at {} s, got {} s", state.t, t_end));
+  }
+  if (state.r.size() != state.v.size()) {
+    throw std::invalid_argument(fmt::format("run: positions and velocities must have one length, got {} and {}",
+                                            state.r.size(), state.v.size()));
+  }
+  validate_finite(state.r, "positions");
+  validate_finite(state.v, "velocities");
+  validate_finite(state.y, "values");
+  validate_parts(of, state);
+}
+
+double rounding_of_time(long steps, double t, double t_end) {
+  return static_cast<double>(steps + 1) * epsilon * std::max(std::abs(t), std::abs(t_end));
+}
+
+double step_towards_end(double wished, double left, double rounding) {
+  const double slack = std::min(1e-9 * wished + rounding, 1e-3 * wished);
+  return wished + slack < left ? wished : left;
+}
+
+namespace detail {
+namespace {
+
+class Run {
+ public:
+  explicit Run(const Task& task)
+      : task_(task),
+        problem_(task.problem.counted_by(out_.evaluations)),
+        state_(task.state),
+        to_(task.state),
+        locates_(task.watch || task.problem.locates_jumps()) {
+    if (!task_.scheme_can.advances(problem_.traits())) {
+      throw std::invalid_argument(
+          "run: the scheme must be able to advance all that the problem has, and this one leaves something behind: take "
+          "another scheme, or leave out the forces that ask for velocities, or the values that have rates");
+    }
+    if (locates_ && !task_.scheme_can.at) {
+      throw std::invalid_argument("run: events and located jumps need a scheme with dense output, at(from, dt, theta, "
+                                  "there); this one has none: take Collocation");
+    }
+  }
+
+  Outcome go() {
+    bool goes_on = true;
+    while (goes_on && state_.t < task_.t_end) goes_on = step();
+    out_.t = state_.t;
+    return out_;
+  }
+
+ private:
+  // A located step is solved anew so often at most; three times are enough unless its sweeps are loose.
+  static constexpr int most_solves = 20;
+  // It stands where solving it anew moves its end by no more than this, of itself.
+  static constexpr double stands = 1e-14;
+  // It stands as well where its end moves no less than the last time, as rounding or the tolerance of the sweeps has
+  // it: by no more than this of itself, or of the whole step,
+  static constexpr double jitters = 1e-6, still = 1e-10;
+  // or, where it has been solved so often, by this: a function that hardly changes in the step touches zero.
+  static constexpr int often = 6;
+  static constexpr double hardly = 1e-3;
+  // How far beyond its end a step that was shortened is looked at again.
+  static constexpr double a_little_beyond = 1.1;
+  // A scheme cannot extrapolate from so small a part of a step to the next whole one.
+  static constexpr double too_little = 0.5;
+  // Steps so many roundings of the time long do not pass time.
+  static constexpr double no_time = 1000.0;
+
+  void forget() { task_.scheme_can.forget(task_.scheme); }
+
+  bool end(Status status, std::string reason, Failure failure = Failure::none) {
+    out_.status = status;
+    out_.reason = std::move(reason);
+    out_.failure = failure;
+    return false;
+  }
+
+  // Tries one step; returns whether the run goes on.
+  bool step() {
+    const double left = (task_.t_end - state_.t) - state_.t_carry;
+    dt_ = step_towards_end(task_.control_can.dt(task_.control), left,
+                           rounding_of_time(out_.steps, state_.t, task_.t_end));
+    if (problem_.has_step_limits() && task_.scheme_can.spans && !within_limits()) return false;
+    if (!(state_.t + dt_ > state_.t)) {
+      return last_.refusal.empty() ? end(Status::failed, too_small(state_.t, dt_), Failure::time_stands_still)
+                                   : end(Status::failed, too_small(state_.t, dt_, last_.refusal), last_.failure);
+    }
+    whole_ = dt_;
+    Decision decision = attempt_with(task_.control_can.judge);
+    landed_at_ = {};
+    if (locates_ && decision.accepted) decision = land();
+    if (!decision.impossible.empty()) {
+      out_.workable_step = decision.workable;
+      return end(Status::failed, std::move(decision.impossible), decision.failure);
+    }
+    if (!decision.accepted) {
+      ++out_.rejections;
+      last_ = std::move(decision);
+      return true;
+    }
+    last_ = {};
+    if (dt_ == left) to_.t = task_.t_end, to_.t_carry = 0.0;
+    return accept();
+  }
+
+  // Cuts the step to what the problem's time scales allow, or refuses it where it is fixed.
+  bool within_limits() {
+    for (const TimeScale& scale : problem_.step_limits(state_)) {
+      if (!(scale.seconds > 0.0)) {
+        throw std::invalid_argument(fmt::format("problem: the time scale of {} must be positive, got {} s", scale.name,
+                                                scale.seconds));
+      }
+      const double spans =
+          task_.scheme_can.spans(task_.scheme, scale.kind, task_.control_can.sweeps(task_.control));
+      if (dt_ <= spans * scale.seconds) continue;
+      if (task_.control_can.fixes_step || !(spans > 0.0)) {
+        out_.workable_step = spans * scale.seconds;
+        return end(Status::failed, beyond_limit(dt_, scale, spans), Failure::beyond_limit);
+      }
+      dt_ = spans * scale.seconds;
+      out_.ruled = scale.name;
+    }
+    return true;
+  }
+
+  Decision attempt_with(Decision (*judge)(void*, const Attempt&)) {
+    const Attempt made = attempt();
+    Decision decision = judge(task_.control, made);
+    if (decision.accepted && !made.iteration.evaluated) {
+      throw std::logic_error("a controller must refuse a step on which the problem had no value, but it accepted one");
+    }
+    return decision;
+  }
+
+  // The guess, then sweeps for as long as the controller asks for them.
+  Attempt attempt() {
+    const SchemeTable& can = task_.scheme_can;
+    Attempt made{.dt = dt_, .iteration = {}};
+    Iteration& it = made.iteration;
+    it.evaluated = can.predict(task_.scheme, problem_, state_, dt_, to_);
+    if (can.sweep) {
+      while (it.evaluated && (it.K < 0 || task_.control_can.goes_on(task_.control, it))) {
+        it = can.sweep(task_.scheme, problem_, state_, dt_, to_);
+        ++out_.sweeps;
+        if (shows_contraction(it)) out_.contraction = std::max(out_.contraction, it.rate);
+      }
+    }
+    if (can.iterations) made.fields = can.iterations(task_.scheme);
+    it.evaluated = it.evaluated && is_finite(to_);
+    if (can.truncation && it.evaluated && !task_.control_can.ignores_truncation) {
+      made.truncation = can.truncation(task_.scheme, problem_, state_, dt_, to_);
+    }
+    return made;
+  }
+
+  // Takes the step that stands, and the jump and the events at its end.
+  bool accept() {
+    task_.scheme_can.accept(task_.scheme, dt_);
+    if (dt_ < too_little * whole_) forget();
+    const bool stops = task_.watch && landed_at_ && task_.watch->happen(*landed_at_, to_.t, dt_);
+    const bool go_on = task_.observe(task_.observer, state_, to_, dt_);
+    if (problem_.jumps() && !jump()) return false;
+    swap(state_, to_);
+    ++out_.steps;
+    if (locates_ && accumulates()) return false;
+    if (stops) return end(Status::stopped, task_.watch->last());
+    return go_on || end(Status::stopped, "the observer asked for it");
+  }
+
+  bool jump() {
+    Jump jump = problem_.jump(to_, dt_);
+    out_.impacts += jump.impacts;
+    out_.energy_change += jump.energy_change;
+    out_.overlap = std::max(out_.overlap, jump.overlap);
+    out_.evaluations += jump.evaluations;
+    if (jump.impacts > 0 || !jump.unsettled.empty()) forget();
+    if (jump.unsettled.empty()) return true;
+    out_.accumulation = jump.accumulates;
+    return end(Status::failed, std::move(jump.unsettled),
+               std::isnan(jump.accumulates) ? Failure::unsettled_jump : Failure::accumulating);
+  }
+
+  bool accumulates() {
+    const double shortest = no_time * epsilon * std::max(std::abs(state_.t), task_.t_end);
+    at_once_ = landed_at_ && dt_ <= shortest ? at_once_ + 1 : 0;
+    if (at_once_ <= (task_.watch ? task_.watch->settings() : WatchSettings{}).most_at_once) return false;
+    out_.accumulation = state_.t;
+    return !end(Status::failed, accumulating(state_.t, at_once_), Failure::accumulating);
+  }
+
+  // The first fraction of the step made last at which the state jumps or an event happens.
+  std::optional<double> first_stop(double until) {
+    const int order = task_.scheme_can.order;
+    const StepPath path{task_.scheme, task_.scheme_can.at, state_, dt_, order < 4 ? 4 : order};
+    std::optional<double> first;
+    if (problem_.locates_jumps()) first = problem_.first_jump(path, until);
+    if (task_.watch) {
+      const std::optional<double> event = task_.watch->first(path, there_, until);
+      if (event && !(first && *first < *event)) first = event;
+    }
+    return first;
+  }
+
+  // Shortens the step until it ends at the first jump or event, if there is one. The controller judges the shortened
+  // step, but keeps the step that it has chosen.
+  Decision land() {
+    double off = std::numeric_limits<double>::infinity();
+    for (int solves = 0; solves < most_solves; ++solves) {
+      const double before = std::exchange(off, 0.0);
+      const std::optional<double> first = first_stop(solves == 0 ? 1.0 : a_little_beyond);
+      if (!first) return {.accepted = true};
+      off = std::abs(*first - 1.0);
+      if (off <= stands || (off >= 0.5 * before && moves_no_more(off, solves))) {
+        landed_at_ = first;
+        return {.accepted = true};
+      }
+      // Beyond the whole step: it was not in there after all, but at the start of the next one.
+      const bool beyond = dt_ * *first > whole_;
+      dt_ = beyond ? whole_ : dt_ * *first;
+      Decision decision = attempt_with(task_.control_can.judge_apart);
+      if (!decision.accepted || beyond) return decision;
+    }
+    return {.impossible = not_located(state_.t, dt_, off), .failure = Failure::not_located};
+  }
+
+  bool moves_no_more(double off, int solves) const {
+    return (solves > 1 && off * dt_ <= std::max(jitters * dt_, still * whole_)) || (solves >= often && off <= hardly);
+  }
+
+  const Task& task_;
+  Outcome out_;
+  Problem problem_;  // counts into the outcome
+  State& state_;
+  State to_, there_;
+  bool locates_;
+  Decision last_;                    // why the step that is tried again was refused
+  double dt_ = 0.0, whole_ = 0.0;    // the step, and as it was before it was shortened [s]
+  std::optional<double> landed_at_;  // where in the step that stands it was located once more
+  long at_once_ = 0;                 // located steps in a row that passed no time
+};
+
+}  // namespace
+
+Outcome run(const Task& task) {
+  validate_run(task.problem.traits(), task.state, task.t_end);
+  return Run(task).go();
+}
+
+}  // namespace detail
 
 }  // namespace particulate::schemes

@@ -55,6 +55,83 @@ const Iteration& IterationMeasure::no_value() {
   return it_;
 }
 
+void PartMeasures::begin(const Problem& problem, const State& from, int p) {
+  const Traits& has = problem.traits();
+  moves_ = has.motion;
+  ranges_.clear();
+  if (has.values) ranges_ = problem.ranges(from.y.size());
+  measures_.resize((moves_ ? 1 : 0) + ranges_.size());
+  const bool several = measures_.size() > 1;
+  if (moves_) measures_.front().begin(p, several ? "motion" : "");
+  for (std::size_t k = 0; k < ranges_.size(); ++k) {
+    measures_[k + (moves_ ? 1 : 0)].begin(1, several ? ranges_[k].name : "");
+  }
+  iterations_.clear();
+}
+
+void PartMeasures::begin_as_one() {
+  moves_ = true;
+  ranges_.clear();
+  measures_.resize(1);
+  measures_.front().begin(1);
+}
+
+double PartMeasures::distance(const Problem& problem, const Range& range, const Eigen::VectorXd& x,
+                              const Eigen::VectorXd& y) const {
+  if (measures_.size() == 1) return problem.distance(x, y);
+  return (x.segment(range.first, range.size) - y.segment(range.first, range.size)).lpNorm<1>();
+}
+
+void PartMeasures::record_values(const Problem& problem, const Eigen::VectorXd& start, const Eigen::VectorXd& before,
+                                 const Eigen::VectorXd& after) {
+  record_values(problem, start, before, after, before, before);
+}
+
+void PartMeasures::record_values(const Problem& problem, const Eigen::VectorXd& start, const Eigen::VectorXd& before,
+                                 const Eigen::VectorXd& after, const Eigen::VectorXd& other_before,
+                                 const Eigen::VectorXd& other_after) {
+  for (std::size_t k = 0; k < ranges_.size(); ++k) {
+    IterationMeasure& measure = measures_[k + (moves_ ? 1 : 0)];
+    const auto apart = [&](const Eigen::VectorXd& x, const Eigen::VectorXd& y) {
+      return distance(problem, ranges_[k], x, y);
+    };
+    if (measure.waits_for_first()) {
+      measure.normalize(apart(after, start), apart(start, Eigen::VectorXd::Zero(start.size())));
+    }
+    double change = apart(after, before);
+    if (&other_before != &other_after) change = std::max(change, apart(other_after, other_before));
+    measure.record(change);
+  }
+}
+
+Iteration PartMeasures::no_value() {
+  for (IterationMeasure& measure : measures_) measure.no_value();
+  return worst();
+}
+
+Iteration PartMeasures::worst() {
+  if (measures_.size() == 1 && (moves_ || ranges_.front().TOL == 1.0)) return measures_.front().iteration();
+  iterations_.clear();
+  if (moves_) iterations_.push_back(measures_.front().iteration());
+  for (std::size_t k = 0; k < ranges_.size(); ++k) {
+    iterations_.push_back(in_units(measures_[k + (moves_ ? 1 : 0)].iteration(), ranges_[k].TOL));
+  }
+  return worst_of(iterations_);
+}
+
+const Iteration& worst_of(std::span<const Iteration> all) {
+  return *std::max_element(all.begin(), all.end(), [](const Iteration& a, const Iteration& b) {
+    return a.evaluated != b.evaluated ? a.evaluated : a.w_K < b.w_K;
+  });
+}
+
+Iteration in_units(Iteration it, double TOL) {
+  it.w_0 /= TOL;
+  it.w_K /= TOL;
+  it.rounding /= TOL;
+  return it;
+}
+
 double phi_K(const Iteration& it, double TOL, int K_d) {
   if (it.K < 1) return std::numeric_limits<double>::quiet_NaN();
   if (it.w_K == 0.0) return std::numeric_limits<double>::infinity();

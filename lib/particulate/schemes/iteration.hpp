@@ -1,5 +1,8 @@
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include <particulate/schemes/scheme.hpp>
 
 /// @file
@@ -57,6 +60,79 @@ class IterationMeasure {
   Iteration it_;
   double denominator_ = 0.0;
 };
+
+/// The measures of every part of a state, for a scheme that sweeps over all of it at once.
+///
+/// The motion is one part; each named range of y is another, measured by the problem's distance where it is all that the
+/// problem has, else by the sum of absolute values: metres and kelvins are never added. Each has its own displacement,
+/// rounding and exponent p, and the worst, in units of its tolerance, stands for all.
+class PartMeasures {
+ public:
+  /// Forgets the last step.
+  ///
+  /// @param problem  says what there is
+  /// @param from     the start of the step
+  /// @param p        of the motion: the exponent of Dt in its contraction [-]
+  void begin(const Problem& problem, const State& from, int p);
+
+  /// Forgets the last step, of a scheme whose changes are relative to sizes, so that one measure does for all.
+  void begin_as_one();
+
+  /// The measure of the motion, for the scheme to fill in.
+  ///
+  /// @return it; without motion that of the first range
+  IterationMeasure& motion() { return measures_.front(); }
+
+  /// Books a sweep over all ranges of y.
+  ///
+  /// @param problem  measures
+  /// @param start    y at the start of the step
+  /// @param before   y before the sweep
+  /// @param after    y after it
+  void record_values(const Problem& problem, const Eigen::VectorXd& start, const Eigen::VectorXd& before,
+                     const Eigen::VectorXd& after);
+  /// The same with other changes, of which the larger counts: see Collocation.
+  ///
+  /// @param problem       measures
+  /// @param start         y at the start of the step
+  /// @param before        y before the sweep
+  /// @param after         y after it
+  /// @param other_before  another combination of rates before the sweep
+  /// @param other_after   the same after it
+  void record_values(const Problem& problem, const Eigen::VectorXd& start, const Eigen::VectorXd& before,
+                     const Eigen::VectorXd& after, const Eigen::VectorXd& other_before,
+                     const Eigen::VectorXd& other_after);
+
+  /// Books that the problem had no value.
+  ///
+  /// @return the iteration so far, not evaluated
+  Iteration no_value();
+  /// @return the iteration of the part with the largest error, in units of its tolerance
+  Iteration worst();
+  /// @return how each part's iteration went, in units of its tolerance; empty where there is one part alone
+  std::span<const Iteration> iterations() const { return iterations_; }
+
+ private:
+  double distance(const Problem& problem, const Range& range, const Eigen::VectorXd& x, const Eigen::VectorXd& y) const;
+
+  std::vector<IterationMeasure> measures_{1};  // the motion's first, where there is one, then one a range
+  std::vector<Range> ranges_;
+  std::vector<Iteration> iterations_;
+  bool moves_ = true;
+};
+
+/// Of several iterations the one with the largest error; one without a value is the worst, the first of equals counts.
+///
+/// @param all  at least one, in units of their tolerances
+/// @return it
+const Iteration& worst_of(std::span<const Iteration> all);
+
+/// An iteration in units of a tolerance.
+///
+/// @param it   an iteration
+/// @param TOL  > 0 [-]
+/// @return the same, with w and rounding over TOL
+Iteration in_units(Iteration it, double TOL);
 
 /// The monograph's factor between the step that was made and the one that would have met a tolerance exactly.
 ///

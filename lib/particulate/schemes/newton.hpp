@@ -1,17 +1,12 @@
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <limits>
+#include <functional>
+#include <memory>
 #include <optional>
-#include <type_traits>
-#include <vector>
 
 #include <Eigen/Core>
 
 #include <particulate/schemes/problem.hpp>
-#include <particulate/schemes/runge_kutta.hpp>
 #include <particulate/schemes/stage_solver.hpp>
 
 /// @file
@@ -26,54 +21,45 @@ namespace particulate::schemes {
 /// @return increment, not zero
 double difference_step(double value, double size);
 
+/// Rates at unknowns x: `rates(x, f)` writes f and returns whether there are any.
+using RatesOf = std::function<bool(const Eigen::VectorXd& x, Eigen::VectorXd& f)>;
+
 /// A Jacobian by forward difference quotients, as many unknowns at once as no row sees two of.
 ///
-/// @tparam Linear  DenseStages or SparseStages
-/// @param rate   `rate(x, f)` gives the rates at x and returns whether there are any
-/// @param x      where; each entry is moved and put back
+/// @param rates  asked as often as there are diagonals in the band, or unknowns
+/// @param x      where; n of them
 /// @param f      the rates there
 /// @param sizes  of the unknowns, > 0
 /// @param band   diagonals outside which the Jacobian is zero; none: n - 1 on either side
-/// @param J      receives the Jacobian, n x n
+/// @param J      receives the Jacobian, one row a rate, one column an unknown
 /// @return whether all rates had a value
-template <class Linear, class Rate>
-bool difference_jacobian(const Rate& rate, Eigen::VectorXd x, const Eigen::VectorXd& f, const Eigen::VectorXd& sizes,
-                         std::optional<Bandwidth> band, typename Linear::Matrix& J) {
-  const Eigen::Index n = x.size();
-  const Bandwidth within = band.value_or(Bandwidth{.lower = n - 1, .upper = n - 1});
-  const Eigen::Index together = std::min(n, within.lower + within.upper + 1);
-  const Eigen::VectorXd at = x;
-  std::vector<Eigen::VectorXd> moved(static_cast<std::size_t>(together), Eigen::VectorXd(n));
-  for (Eigen::Index group = 0; group < together; ++group) {
-    for (Eigen::Index j = group; j < n; j += together) x[j] += difference_step(at[j], sizes[j]);
-    if (!rate(x, moved[static_cast<std::size_t>(group)])) return false;
-    for (Eigen::Index j = group; j < n; j += together) x[j] = at[j];
-  }
-  J.resize(n, n);
-  J.setZero();
-  for (Eigen::Index j = 0; j < n; ++j) {
-    const Eigen::VectorXd& there = moved[static_cast<std::size_t>(j % together)];
-    const double step = (at[j] + difference_step(at[j], sizes[j])) - at[j];
-    for (Eigen::Index i = std::max<Eigen::Index>(0, j - within.upper); i <= std::min(n - 1, j + within.lower); ++i) {
-      Linear::set(J, i, j, (there[i] - f[i]) / step);
-    }
-  }
-  return true;
-}
+bool difference_jacobian(const RatesOf& rates, const Eigen::VectorXd& x, const Eigen::VectorXd& f,
+                         const Eigen::VectorXd& sizes, std::optional<Bandwidth> band, Eigen::MatrixXd& J);
+/// @copydoc difference_jacobian(const RatesOf&, const Eigen::VectorXd&, const Eigen::VectorXd&, const Eigen::VectorXd&,
+/// std::optional<Bandwidth>, Eigen::MatrixXd&)
+bool difference_jacobian(const RatesOf& rates, const Eigen::VectorXd& x, const Eigen::VectorXd& f,
+                         const Eigen::VectorXd& sizes, std::optional<Bandwidth> band, SparseJacobian& J);
 
 /// What the stage equations of one step are, for Newton.
 struct StageEquations {
   const Eigen::MatrixXd& A;      ///< of the method, s x s
-  const Eigen::VectorXd& sizes;  ///< of the unknowns, > 0
+  const Eigen::VectorXd& sizes;  ///< of the unknowns (r, y), > 0
   bool bad = false;              ///< whether the Jacobian in hand has shown itself no good
 };
 
 /// Simplified Newton between the steps: Jacobians, their decomposition for a step size, and whether they still serve.
 ///
-/// @tparam Linear  DenseStages or SparseStages
-template <class Linear>
+/// The unknowns of a stage are its rates k = (a, dy). With J the derivatives of the rates by (v, y) and K those by r it
+/// solves, for each eigenvalue lambda of A,
+///
+/// \f[ (I - \lambda h J - \lambda^2 h^2 K)\,w = g \f]
+///
+/// @equation{D 3.4} A value: its copy is a checkpoint, and shares what is never changed.
 class NewtonSteps {
  public:
+  /// @param sparse  whether Jacobians are sparse matrices
+  explicit NewtonSteps(bool sparse = false) : sparse_(sparse) {}
+
   /// Sees to it that the linear systems are decomposed for a step.
   ///
   /// @param problem  asked for a Jacobian, or for the rates that make one
@@ -81,115 +67,35 @@ class NewtonSteps {
   /// @param dt       step [s]
   /// @param step     the equations
   /// @return whether the problem had a finite Jacobian there
-  template <class P, class State>
-  bool prepare(P& problem, const State& from, double dt, const StageEquations& step) {
-    if (!eigenvalues_) eigenvalues_.emplace(step.A);
-    if (!known_ || (step.bad && known_at_ != from.t)) {
-      known_ = false;
-      if (!renew(problem, from, step.sizes)) return false;
-      known_ = true;
-      known_at_ = from.t;
-      factorized_ = 0.0;
-    }
-    if (dt != factorized_) linear_.factorize(*eigenvalues_, dt, J_, K_);
-    factorized_ = dt;
-    return true;
-  }
+  /// @throws std::invalid_argument if the Jacobian is to be sparse and the problem gives none, or has motion and values
+  bool prepare(const Problem& problem, const State& from, double dt, const StageEquations& step);
 
   /// One step of Newton.
   ///
-  /// @param residual  f(stage) - k, n x s
-  /// @return change of the rates k, n x s; not finite if a system is singular
-  Eigen::MatrixXd solve(const Eigen::Ref<const Eigen::MatrixXd>& residual) const {
-    Eigen::MatrixXcd apart = eigenvalues_->apart(residual);
-    for (Eigen::Index i = 0; i < apart.cols(); ++i) {
-      const Eigen::VectorXcd right = apart.col(i);
-      apart.col(i) = linear_.solve(static_cast<std::size_t>(i), right);
-    }
-    return eigenvalues_->together(apart);
-  }
+  /// @param residual  f(stage) - k, one column a stage
+  /// @return change of the rates k, as large; not finite if a system is singular
+  Eigen::MatrixXd solve(const Eigen::Ref<const Eigen::MatrixXd>& residual) const;
 
   /// A defect as the stiff part of the problem damps it.
   ///
   /// @param defect  of the rates
   /// @param dt      step [s]
-  /// @return \f$ \mathrm{Re}\,(I - \lambda h J)^{-1} \lambda h \f$ of it, with the real eigenvalue if there is one
-  Eigen::VectorXd filtered(const Eigen::VectorXd& defect, double dt) const {
-    const std::size_t i = eigenvalues_->real();
-    const Eigen::VectorXcd right = (eigenvalues_->values()[i] * dt) * defect;
-    return linear_.solve(i, right).real();
-  }
+  /// @return \f$ \mathrm{Re}\,(I - \lambda h J - \lambda^2 h^2 K)^{-1} \lambda h \f$ of it, with the real eigenvalue if
+  ///         there is one
+  Eigen::VectorXd filtered(const Eigen::VectorXd& defect, double dt) const;
 
   /// Drops everything.
-  void forget() { known_ = false; }
+  void forget() { jacobians_.reset(); }
 
  private:
-  template <class P>
-  static std::optional<Bandwidth> band(const P& problem) {
-    if constexpr (Banded<P>) return problem.bandwidth();
-    return std::nullopt;
-  }
+  struct Jacobians;
+  struct Factors;
 
-  template <class P>
-  bool given(P& problem, double t, const Eigen::VectorXd& x, typename Linear::Matrix& J) {
-    constexpr bool dense = std::is_same_v<typename Linear::Matrix, Eigen::MatrixXd>;
-    if constexpr (dense && HasJacobian<P>) {
-      J.resize(x.size(), x.size());
-      problem.jacobian(t, x, J);
-      return true;
-    } else if constexpr (!dense && HasSparseJacobian<P, typename Linear::Matrix>) {
-      J.resize(x.size(), x.size());
-      problem.sparse_jacobian(t, x, J);
-      return true;
-    } else {
-      static_assert(dense || Banded<P>, "a sparse solver needs a problem with sparse_jacobian() or bandwidth()");
-      return false;
-    }
-  }
-
-  template <FirstOrderProblem P>
-  bool renew(P& problem, const Values& from, const Eigen::VectorXd& sizes) {
-    if (given(problem, from.t, from.y, J_)) return Linear::is_finite(J_);
-    const auto rate = [&](const Eigen::VectorXd& y, Eigen::VectorXd& f) { return problem.rate(from.t, y, f); };
-    Eigen::VectorXd f(from.y.size());
-    return rate(from.y, f) && difference_jacobian<Linear>(rate, from.y, f, sizes, band(problem), J_) &&
-           Linear::is_finite(J_);
-  }
-  template <SecondOrderProblem P>
-  bool renew(P& problem, const Motion& from, const Eigen::VectorXd& sizes) {
-    if constexpr (PositionProblem<P>) {
-      if (given(problem, from.t, from.r, K_)) return Linear::is_finite(K_);
-    }
-    const auto by_place = [&](const Eigen::VectorXd& r, Eigen::VectorXd& a) {
-      return acceleration_of(problem, from.t, r, from.v, a);
-    };
-    Eigen::VectorXd a(from.r.size());
-    if (!by_place(from.r, a) || !difference_jacobian<Linear>(by_place, from.r, a, sizes, band(problem), K_))
-      return false;
-    if constexpr (MotionProblem<P>) {
-      const auto by_speed = [&](const Eigen::VectorXd& v, Eigen::VectorXd& there) {
-        return problem.acceleration(from.t, from.r, v, there);
-      };
-      if (!difference_jacobian<Linear>(by_speed, from.v, a, sizes, band(problem), J_)) return false;
-    }
-    return Linear::is_finite(K_) && Linear::is_finite(J_);
-  }
-  std::optional<StageEigenvalues> eigenvalues_;
-  Linear linear_;
-  typename Linear::Matrix J_, K_;
+  bool sparse_;
+  std::shared_ptr<const StageEigenvalues> eigenvalues_;
+  std::shared_ptr<const Jacobians> jacobians_;  // none: unknown
+  std::shared_ptr<const Factors> factors_;
   double known_at_ = 0.0, factorized_ = 0.0;
-  bool known_ = false;
-};
-
-/// What a stage solver keeps from step to step: nothing, but for Newton.
-template <class Solver>
-struct NewtonOf {
-  struct type {};  ///< nothing
-};
-/// @copydoc NewtonOf
-template <class Linear>
-struct NewtonOf<Newton<Linear>> {
-  using type = NewtonSteps<Linear>;  ///< Jacobians and decompositions
 };
 
 }  // namespace particulate::schemes

@@ -1,14 +1,10 @@
 #pragma once
 
-#include <stdexcept>
-#include <utility>
-
-#include <fmt/format.h>
+#include <span>
 
 #include <particulate/schemes/iteration.hpp>
 #include <particulate/schemes/mixing.hpp>
 #include <particulate/schemes/problem.hpp>
-#include <particulate/schemes/runge_kutta.hpp>
 
 namespace particulate::schemes {
 
@@ -39,15 +35,21 @@ template <class Mixing = Picard>
 class PhiFamily {
  public:
   static constexpr int order = 1;  ///< of the global error for every phi; 2 at phi = 1/2 [-]
+  /// @param of  what a problem has @return whether it has motion or values
+  static constexpr bool advances(const Traits& of) { return of.motion || of.values; }
 
   /// @param phi     weight of the end of the step, in [0, 1]; 1 is backward Euler [-]
   /// @param mixing  the iteration
   /// @throws std::invalid_argument if phi is no such weight
-  explicit PhiFamily(double phi = 1.0, Mixing mixing = Mixing{}) : phi_(phi), mixing_(std::move(mixing)) {
-    if (!(phi >= 0.0 && phi <= 1.0)) {
-      throw std::invalid_argument(fmt::format("phi family: phi must be in [0, 1], got {}", phi));
-    }
-  }
+  explicit PhiFamily(double phi = 1.0, Mixing mixing = Mixing{});
+
+  /// How many time scales one step may span: see Limited. Iterated to its fixed point, 1/phi; after one sweep
+  /// \f$ 2/\sqrt{4\phi - 1} \f$ of an oscillation and 2 of a decay; below phi = 1/2 no oscillation is stable.
+  ///
+  /// @param kind    of time scale
+  /// @param sweeps  of every step; 0: until they have converged
+  /// @return multiple of the time scale [-]
+  double spans(TimeScale::Kind kind, int sweeps) const;
 
   /// Free flight.
   ///
@@ -56,109 +58,37 @@ class PhiFamily {
   /// @param dt       step [s]
   /// @param to       receives the first iterate
   /// @return whether the problem had a value where it was asked
-  template <SecondOrderProblem P>
-  bool predict(P& problem, const Motion& from, double dt, Motion& to) {
-    begin(from.r.size(), PositionProblem<P> ? 2 : 1);
-    if (phi_ < 1.0 && !acceleration_of(problem, from.t, from.r, from.v, start_)) return false;
-    to.t = from.t + dt;
-    to.r = from.r + dt * from.v;
-    to.v = from.v;
-    return true;
-  }
+  bool predict(const Problem& problem, const State& from, double dt, State& to);
 
-  /// One sweep over all particles.
+  /// One sweep over all particles and all values.
   ///
   /// @param problem  the right-hand side
   /// @param from     state at the start
   /// @param dt       step [s]
   /// @param to       the iterate; receives the next one
-  /// @return the iteration so far
-  template <SecondOrderProblem P>
-  Iteration sweep(P& problem, const Motion& from, double dt, Motion& to) {
-    if (!acceleration_of(problem, to.t, to.r, to.v, rate_)) return measure_.no_value();
-    weigh();
-    const auto place = [&](const Eigen::VectorXd& mean) { next_ = from.r + dt * from.v + (phi_ * dt * dt) * mean; };
-    place(rate_);
-    double change = 0.0;
-    if constexpr (PositionProblem<P>) {
-      change = distance(problem, next_, to.r);
-      normalize(problem, from.r, 1.0, from.r);
-    } else {
-      speed_ = from.v + dt * rate_;
-      change = phi_ * dt * distance(problem, speed_, to.v);
-      normalize(problem, from.r, phi_ * dt, from.v);
-    }
-    mixing_.next(mean_, rate_);
-    place(mean_);
-    to.r.swap(next_);
-    to.v = from.v + dt * mean_;
-    return measure_.record(change);
-  }
+  /// @return the iteration so far, of the worst part of the state
+  Iteration sweep(const Problem& problem, const State& from, double dt, State& to);
 
-  /// The values at the start, for the first iterate of a first-order problem.
-  ///
-  /// @param problem  the right-hand side; asked for the start's unless phi = 1
-  /// @param from     state at the start
-  /// @param dt       step [s]
-  /// @param to       receives the first iterate
-  /// @return whether the problem had a value where it was asked
-  template <FirstOrderProblem P>
-  bool predict(P& problem, const Values& from, double dt, Values& to) {
-    begin(from.y.size(), 1);
-    if (phi_ < 1.0 && !problem.rate(from.t, from.y, start_)) return false;
-    to.t = from.t + dt;
-    to.y = from.y;
-    return true;
-  }
-
-  /// One sweep over all values.
-  ///
-  /// @param problem  the right-hand side
-  /// @param from     state at the start
-  /// @param dt       step [s]
-  /// @param to       the iterate; receives the next one
-  /// @return the iteration so far
-  template <FirstOrderProblem P>
-  Iteration sweep(P& problem, const Values& from, double dt, Values& to) {
-    if (!problem.rate(to.t, to.y, rate_)) return measure_.no_value();
-    weigh();
-    next_ = from.y + dt * rate_;
-    const double change = distance(problem, next_, to.y);
-    normalize(problem, from.y, 1.0, from.y);
-    mixing_.next(mean_, rate_);
-    to.y = from.y + dt * mean_;
-    return measure_.record(change);
-  }
+  /// @return how the iteration of each part of the state went; empty where there is one part alone
+  std::span<const Iteration> iterations() const { return measures_.iterations(); }
 
   void accept(double) {}  ///< Keeps nothing: a one-step method.
   void forget() {}        ///< Has nothing to forget.
 
  private:
-  // Every iterate is the start moved on with a mean rate over the step, phi of the end's and 1 - phi of the start's.
-  // The iteration is one for this mean; it begins with 0.
-  void begin(Eigen::Index n, int p) {
-    measure_.begin(p);
-    mixing_.forget();
-    mean_.setZero(n);
-    rate_.resize(n);
-    start_.resize(n);
-  }
-  void weigh() {
-    if (phi_ < 1.0) rate_ = phi_ * rate_ + (1.0 - phi_) * start_;
-  }
-  // What is measured is `scale` times a vector that is `measured` at the start of the step.
-  template <class P>
-  void normalize(const P& problem, const Eigen::VectorXd& start, double scale, const Eigen::VectorXd& measured) {
-    if (!measure_.waits_for_first()) return;
-    const Eigen::VectorXd zero = Eigen::VectorXd::Zero(start.size());
-    measure_.normalize(distance(problem, next_, start), scale * distance(problem, measured, zero));
-  }
+  void measure_motion(const Problem& problem, const State& from, double dt, const State& to);
+  void mix();
 
   double phi_;
   Mixing mixing_;
-  Eigen::VectorXd mean_, rate_, start_, next_, speed_;
-  IterationMeasure measure_;
+  Rates mean_, rates_, start_;
+  Eigen::VectorXd next_;
+  PartMeasures measures_;
+  bool values_ = false;
 };
+
+extern template class PhiFamily<Picard>;
+extern template class PhiFamily<Anderson>;
 
 /// Backward Euler, solved by the plain iteration: the scheme of the monograph.
 using BackwardEuler = PhiFamily<Picard>;

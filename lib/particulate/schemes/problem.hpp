@@ -5,31 +5,26 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
 
 #include <Eigen/Core>
 
+#include <particulate/schemes/state.hpp>
+
 /// @file
-/// Problems: what a scheme is asked to integrate, and what a problem may offer beyond its right-hand side.
+/// Problems: what a scheme is asked to integrate, what a problem may offer beyond its right-hand side, and how a scheme
+/// sees it.
+
+namespace Eigen {
+template <typename Scalar, int Options, typename Index>
+class SparseMatrix;
+}
 
 namespace particulate::schemes {
 
-using In = Eigen::Ref<const Eigen::VectorXd>;  ///< a flat, contiguous, unpadded vector that is read
-using Out = Eigen::Ref<Eigen::VectorXd>;       ///< a flat, contiguous, unpadded vector that is written
-
-/// A moment of a first-order problem \f$ y' = f(t, y) \f$.
-struct Values {
-  double t = 0.0;     ///< time [s]
-  Eigen::VectorXd y;  ///< the unknowns, in the problem's units
-};
-
-/// A moment of a second-order problem \f$ r'' = a(t, r[, v]) \f$.
-///
-/// For particles, r is the N x 3 array of positions read column by column: all x, then all y, then all z.
-struct Motion {
-  double t = 0.0;     ///< time [s]
-  Eigen::VectorXd r;  ///< positions [m]
-  Eigen::VectorXd v;  ///< velocities, as long as r [m/s]
-};
+using SparseJacobian = Eigen::SparseMatrix<double, 0, int>;  ///< of HasSparseJacobian
 
 /// A right-hand side \f$ y' = f(t, y) \f$: `rate(t, y, dy)`.
 ///
@@ -57,6 +52,17 @@ concept MotionProblem = requires(P& p, double t, In r, In v, Out a) {
 template <class P>
 concept SecondOrderProblem = PositionProblem<P> || MotionProblem<P>;
 
+/// Motion and values that act on each other: `rates(t, r, v, y, a, dy)`, one function, so that what both share is
+/// computed once. It counts as one evaluation.
+///
+/// Two constants of the problem say more. `ignores_velocities`: a and dy depend on t, r and y alone, so that
+/// schemes leave out what only velocities need, and v is then not that of the moment. `values_by_jumps`: y changes by jumps alone; every scheme carries it along, dy is then
+/// empty and must not be written. The latter serves problems of the other forms as well, whose state then has a y.
+template <class P>
+concept CoupledProblem = requires(P& p, double t, In r, In v, In y, Out a, Out dy) {
+  { p.rates(t, r, v, y, a, dy) } -> std::same_as<bool>;
+};
+
 /// Ability: a Jacobian of the rate, `jacobian(t, y, J)` with J(i, j) = df_i/dy_j; of a PositionProblem, that of the
 /// accelerations with respect to the positions, `jacobian(t, r, K)`.
 template <class P>
@@ -64,11 +70,16 @@ concept HasJacobian = requires(P& p, double t, In y, Eigen::MatrixXd& J) {
   p.jacobian(t, y, J);
 };
 
-/// Ability: the same as a sparse matrix, `sparse_jacobian(t, y, J)`.
-///
-/// @tparam Sparse  Eigen::SparseMatrix<double>, which this header does not need to know
-template <class P, class Sparse>
-concept HasSparseJacobian = requires(P& p, double t, In y, Sparse& J) {
+/// Ability of a MotionProblem or CoupledProblem: the Jacobian of all its rates (a, dy) with respect to all of
+/// (r, v, y), `jacobian(t, r, v, y, J)`; as many rows as rates, as many columns as numbers in the state.
+template <class P>
+concept HasWholeJacobian = requires(P& p, double t, In r, In v, In y, Eigen::MatrixXd& J) {
+  p.jacobian(t, r, v, y, J);
+};
+
+/// Ability: that of HasJacobian as a sparse matrix, `sparse_jacobian(t, y, J)`.
+template <class P>
+concept HasSparseJacobian = requires(P& p, double t, In y, SparseJacobian& J) {
   p.sparse_jacobian(t, y, J);
 };
 
@@ -79,7 +90,7 @@ struct Bandwidth {
 };
 
 /// Ability: `bandwidth()`, the diagonals outside which the Jacobian is zero: difference quotients then take one
-/// right-hand side for each of them instead of one for each unknown.
+/// right-hand side for each of them instead of one for each unknown. Not for a problem that has both motion and values.
 template <class P>
 concept Banded = requires(const P& p) {
   { p.bandwidth() } -> std::same_as<Bandwidth>;
@@ -92,10 +103,17 @@ concept Splits = requires(P& p, double t, In y, Out dy) {
   { p.rate_fast(t, y, dy) } -> std::same_as<bool>;
 };
 
-/// Ability: how far apart two states are. The monograph sums norms over particles, which a flat vector does not know.
+/// Ability: how far apart two sets of places are, or of values where a problem has nothing else. The monograph sums norms
+/// over particles, which a flat vector does not know.
 template <class P>
 concept Measures = requires(const P& p, In x, In y) {
   { p.distance(x, y) } -> std::same_as<double>;
+};
+
+/// Ability: `ranges()`, the named ranges that y falls into, one after the other. Without it y is one.
+template <class P>
+concept HasRanges = requires(const P& p) {
+  { p.ranges() } -> std::convertible_to<std::vector<Range>>;
 };
 
 /// What a jump did to the state.
@@ -112,23 +130,27 @@ struct Jump {
 
 /// Ability: a state that may change at once, `jump(state, dt)`, called with the end of every accepted step of size dt.
 template <class P>
-concept Jumps = requires(P& p, Motion& at, double dt) {
+concept Jumps = requires(P& p, State& at, double dt) {
   { p.jump(at, dt) } -> std::same_as<Jump>;
 };
 
-/// A step as a path: `path(theta, there)` gives the state at a fraction theta of it, from 0 to a little beyond 1,
-/// `path.dt` its length [s], and `path.intervals` in how many parts it must be sampled. @see StepPath
-template <class Path, class State>
-concept SampledPath = requires(const Path& path, double theta, State& there) {
-  path(theta, there);
-  { path.dt } -> std::convertible_to<double>;
-  { path.intervals } -> std::convertible_to<int>;
+/// The step made last, as a path: the state at a fraction theta of it, by the dense output of its scheme.
+struct StepPath {
+  const void* scheme;                                                                        ///< holds the step
+  void (*at)(const void* scheme, const State& from, double dt, double theta, State& there);  ///< its dense output
+  const State& from;                                                                         ///< its start
+  double dt;                                                                                 ///< its length [s]
+  int intervals;  ///< to sample it in: twice its degree, for Gauss
+
+  /// @param theta  fraction of the step, from 0 to a little beyond 1 [-]
+  /// @param there  receives the state
+  void operator()(double theta, State& there) const { at(scheme, from, dt, theta, there); }
 };
 
-/// Ability: `first_jump(path, end)`, the first fraction in (0, end] of a step at which the state must jump, if any; the
-/// path is a SampledPath. The end is 1, or a little more where a step that was shortened to a jump is looked at again.
-template <class P, class Path>
-concept LocatesJumps = Jumps<P> && requires(P& p, const Path& path, double end) {
+/// Ability: `first_jump(path, end)`, the first fraction in (0, end] of a step at which the state must jump, if any. The
+/// end is 1, or a little more where a step that was shortened to a jump is looked at again.
+template <class P>
+concept LocatesJumps = Jumps<P> && requires(P& p, const StepPath& path, double end) {
   { p.first_jump(path, end) } -> std::same_as<std::optional<double>>;
 };
 
@@ -136,148 +158,401 @@ concept LocatesJumps = Jumps<P> && requires(P& p, const Path& path, double end) 
 ///
 /// `fields()` says how many. `solve(k, from, dt, seen, to)` advances field k from the state `from` over dt, with every
 /// other field as it stands in `seen`, and writes its own part of `to`, which may be the same object as `seen`; it
-/// returns whether there is a value. `part(k, state)` is the contiguous part of a state that field k owns.
-template <class P, class State>
+/// returns whether there is a value. `part(k)` is the Part of a state that field k owns.
+template <class P>
 concept StaggeredProblem = requires(P& p, std::size_t k, const State& from, double dt, State& to) {
   { p.fields() } -> std::same_as<std::size_t>;
   { p.solve(k, from, dt, from, to) } -> std::same_as<bool>;
-  { p.part(k, to) } -> std::same_as<Out>;
+  { p.part(k) } -> std::same_as<Part>;
 };
 
-/// Ability of a staggered problem: how far apart two values of one field are, `distance(k, x, y)`.
+/// Ability of a staggered problem: how far apart two values of one field are, `distance(k, x, y)`; of the field that owns
+/// the motion, places.
 template <class P>
 concept MeasuresFields = requires(const P& p, std::size_t k, In x, In y) {
   { p.distance(k, x, y) } -> std::same_as<double>;
 };
 
-/// Distance of two states in the problem's own measure, in the sum of absolute values without one.
-///
-/// @param problem  the problem, asked for `distance` if it has that ability
-/// @param x        one state, or one set of positions
-/// @param y        another of the same length
-/// @return distance, >= 0, in the units of the state
-template <class P>
-double distance(const P& problem, In x, In y) {
-  if constexpr (Measures<P>) {
-    return problem.distance(x, y);
-  } else {
-    return (x - y).template lpNorm<1>();
-  }
-}
-
-/// Distance of two values of one field in the problem's own measure, in the sum of absolute values without one.
-///
-/// @param problem  the problem, asked for `distance` if it has that ability
-/// @param k        which field
-/// @param x        one value of it
-/// @param y        another of the same length
-/// @return distance, >= 0, in the units of the field
-template <class P>
-double distance(const P& problem, std::size_t k, In x, In y) {
-  if constexpr (MeasuresFields<P>) {
-    return problem.distance(k, x, y);
-  } else {
-    return (x - y).template lpNorm<1>();
-  }
-}
-
-/// Counts right-hand sides, and passes on everything else its problem can do.
-///
-/// Every competitor is charged by the same counter, wherever the problem is called from.
-template <class P>
-struct Counted {
-  P& problem;            ///< the problem that answers; it must outlive the counter
-  long evaluations = 0;  ///< right-hand sides asked for so far; slow and fast parts, and fields, count apart [-]
-  long jacobians = 0;    ///< Jacobians asked for so far [-]
-
-  /// @cond every ability, forwarded under its own name
-  /// Counts and forwards. @see PositionProblem
-  bool acceleration(double t, In r, Out a) requires PositionProblem<P> {
-    ++evaluations;
-    return problem.acceleration(t, r, a);
-  }
-  /// Counts and forwards. @see MotionProblem
-  bool acceleration(double t, In r, In v, Out a) requires MotionProblem<P> {
-    ++evaluations;
-    return problem.acceleration(t, r, v, a);
-  }
-  /// Counts and forwards. @see FirstOrderProblem
-  bool rate(double t, In y, Out dy) requires FirstOrderProblem<P> {
-    ++evaluations;
-    return problem.rate(t, y, dy);
-  }
-  /// Counts and forwards. @see Splits
-  bool rate_slow(double t, In y, Out dy) requires Splits<P> {
-    ++evaluations;
-    return problem.rate_slow(t, y, dy);
-  }
-  /// Counts and forwards. @see Splits
-  bool rate_fast(double t, In y, Out dy) requires Splits<P> {
-    ++evaluations;
-    return problem.rate_fast(t, y, dy);
-  }
-  /// Counts and forwards. @see HasJacobian
-  void jacobian(double t, In y, Eigen::MatrixXd& J) requires HasJacobian<P> {
-    ++jacobians;
-    problem.jacobian(t, y, J);
-  }
-  /// Counts and forwards. @see HasSparseJacobian
-  template <class Sparse>
-  void sparse_jacobian(double t, In y, Sparse& J) requires HasSparseJacobian<P, Sparse> {
-    ++jacobians;
-    problem.sparse_jacobian(t, y, J);
-  }
-  /// Forwards. @see Banded
-  Bandwidth bandwidth() const requires Banded<P> { return problem.bandwidth(); }
-  /// Forwards. @see StaggeredProblem
-  std::size_t fields() const requires requires { problem.fields(); }
-  { return problem.fields(); }
-  /// Counts and forwards. @see StaggeredProblem
-  template <class State>
-  bool solve(std::size_t k, const State& from, double dt, const State& seen,
-             State& to) requires StaggeredProblem<P, State> {
-    ++evaluations;
-    return problem.solve(k, from, dt, seen, to);
-  }
-  /// Forwards. @see StaggeredProblem
-  template <class State>
-  Out part(std::size_t k, State& state) const requires StaggeredProblem<P, State> {
-    return problem.part(k, state);
-  }
-  /// Forwards. @see MeasuresFields
-  double distance(std::size_t k, In x, In y) const requires MeasuresFields<P> { return problem.distance(k, x, y); }
-  /// Forwards. @see Measures
-  double distance(In x, In y) const requires Measures<P> { return problem.distance(x, y); }
-  /// Forwards. @see Jumps
-  Jump jump(Motion& at, double dt) requires Jumps<P> { return problem.jump(at, dt); }
-  /// Forwards. @see LocatesJumps
-  template <class Path>
-  std::optional<double> first_jump(const Path& path, double end) requires LocatesJumps<P, Path> {
-    return problem.first_jump(path, end);
-  }
-  /// @endcond
+/// A time in which a solution does something by itself, whatever drives it.
+struct TimeScale {
+  /// How an explicit step feels it.
+  enum class Kind {
+    oscillates,  ///< \f$ 1/\omega \f$: sound, a spring
+    decays       ///< \f$ 1/\lambda \f$: diffusion, drag
+  };
+  std::string name;               ///< for reports: "sound"
+  Kind kind = Kind::oscillates;   ///< see Kind
+  double seconds = 0.0;           ///< the shortest of its kind, > 0 [s]
 };
 
-/// Any second-order problem as \f$ y = (r, v) \f$: for integrators that know first-order problems only.
-template <SecondOrderProblem P>
-struct FirstOrderForm {
-  P& problem;  ///< the problem that answers; it must outlive this view
+/// Ability: `step_limits(state)`, the time scales of which a step may span only so many: see Limited.
+template <class P>
+concept HasStepLimits = requires(P& p, const State& at) {
+  { p.step_limits(at) } -> std::convertible_to<std::vector<TimeScale>>;
+};
 
-  /// \f$ (r, v)' = (v, a) \f$.
+/// What a problem has, as a scheme must know it to advance all of it.
+struct Traits {
+  bool motion = false;      ///< places and velocities
+  bool velocities = false;  ///< accelerations that look at velocities
+  bool values = false;      ///< values with rates
+  bool carries = false;     ///< values that change by jumps alone
+  bool staggered = false;   ///< fields that are advanced in turn
+};
+
+class Problem;
+
+/// What can be integrated: one of the four forms of a right-hand side, or staggered fields.
+template <class P>
+concept AnyProblem = FirstOrderProblem<P> || SecondOrderProblem<P> || CoupledProblem<P> || StaggeredProblem<P>;
+
+/// @tparam P  a problem
+/// @return what it has
+template <class P>
+constexpr Traits traits_of() {
+  constexpr bool carries = requires { requires bool(P::values_by_jumps); };
+  if constexpr (CoupledProblem<P>) {
+    constexpr bool ignores = requires { requires bool(P::ignores_velocities); };
+    return {.motion = true, .velocities = !ignores, .values = !carries, .carries = carries,
+            .staggered = StaggeredProblem<P>};
+  } else {
+    static_assert(!(FirstOrderProblem<P> && SecondOrderProblem<P>),
+                  "a problem with motion and values has one function rates(t, r, v, y, a, dy) for both");
+    return {.motion = SecondOrderProblem<P>,
+            .velocities = !PositionProblem<P> && MotionProblem<P>,
+            .values = FirstOrderProblem<P>,
+            .carries = SecondOrderProblem<P> && carries,
+            .staggered = StaggeredProblem<P>};
+  }
+}
+
+/// The arguments of a right-hand side; nothing is copied.
+struct Where {
+  double t;                              ///< time [s]
+  Eigen::Map<const Eigen::VectorXd> r;   ///< places [m]
+  Eigen::Map<const Eigen::VectorXd> v;   ///< velocities [m/s]
+  Eigen::Map<const Eigen::VectorXd> y;   ///< values
+};
+
+/// Where a right-hand side writes its answers.
+struct Answers {
+  Eigen::Map<Eigen::VectorXd> a;   ///< accelerations [m/s^2]
+  Eigen::Map<Eigen::VectorXd> dy;  ///< rates of the values
+};
+
+/// Stands between a problem and whoever asks it: counts, records or replays its answers. What a problem can do beyond
+/// its right-hand sides and Jacobians goes past it.
+class Hook {
+ public:
+  /// Which right-hand side is asked for.
+  enum class Side { whole, slow, fast };
+  virtual ~Hook() = default;
+  /// @param problem  answers by itself
+  /// @param side     which right-hand side
+  /// @param at       where
+  /// @param to       receives the answers
+  /// @return whether there is a value
+  virtual bool rates(const Problem& problem, Side side, const Where& at, const Answers& to) = 0;
+  /// @param problem  answers by itself
+  /// @param at       where
+  /// @param J        receives the Jacobian
+  virtual void jacobian(const Problem& problem, const Where& at, Eigen::MatrixXd& J) = 0;
+  /// @param jump  one that the problem has just made
+  virtual void jumped(const Jump& jump) = 0;
+};
+
+namespace detail {
+
+// What a problem can do; what it cannot is null.
+struct Abilities {
+  Traits traits;
+  bool whole_jacobian = false;
+  bool (*rates)(void*, const Where&, const Answers&) = nullptr;
+  bool (*slow)(void*, const Where&, const Answers&) = nullptr;
+  bool (*fast)(void*, const Where&, const Answers&) = nullptr;
+  void (*jacobian)(void*, const Where&, Eigen::MatrixXd&) = nullptr;
+  void (*sparse_jacobian)(void*, const Where&, SparseJacobian&) = nullptr;
+  Bandwidth (*bandwidth)(const void*) = nullptr;
+  double (*distance)(const void*, const In&, const In&) = nullptr;
+  std::vector<Range> (*ranges)(const void*) = nullptr;
+  Jump (*jump)(void*, State&, double) = nullptr;
+  std::optional<double> (*first_jump)(void*, const StepPath&, double) = nullptr;
+  std::size_t (*fields)(void*) = nullptr;
+  bool (*solve)(void*, std::size_t, const State&, double, const State&, State&) = nullptr;
+  Part (*part)(void*, std::size_t) = nullptr;
+  double (*field_distance)(const void*, std::size_t, const In&, const In&) = nullptr;
+  std::vector<TimeScale> (*step_limits)(void*, const State&) = nullptr;
+};
+
+template <class P>
+constexpr void add_right_hand_sides(Abilities& can) {
+  if constexpr (CoupledProblem<P>) {
+    can.rates = [](void* p, const Where& at, const Answers& to) {
+      return static_cast<P*>(p)->rates(at.t, at.r, at.v, at.y, Out(to.a), Out(to.dy));
+    };
+  } else if constexpr (PositionProblem<P>) {
+    can.rates = [](void* p, const Where& at, const Answers& to) {
+      return static_cast<P*>(p)->acceleration(at.t, at.r, Out(to.a));
+    };
+  } else if constexpr (MotionProblem<P>) {
+    can.rates = [](void* p, const Where& at, const Answers& to) {
+      return static_cast<P*>(p)->acceleration(at.t, at.r, at.v, Out(to.a));
+    };
+  } else if constexpr (FirstOrderProblem<P>) {
+    can.rates = [](void* p, const Where& at, const Answers& to) {
+      return static_cast<P*>(p)->rate(at.t, at.y, Out(to.dy));
+    };
+  }
+  if constexpr (Splits<P>) {
+    can.slow = [](void* p, const Where& at, const Answers& to) {
+      return static_cast<P*>(p)->rate_slow(at.t, at.y, Out(to.dy));
+    };
+    can.fast = [](void* p, const Where& at, const Answers& to) {
+      return static_cast<P*>(p)->rate_fast(at.t, at.y, Out(to.dy));
+    };
+  }
+}
+
+template <class P>
+constexpr void add_jacobians(Abilities& can) {
+  constexpr bool of_places = PositionProblem<P>;
+  if constexpr (HasWholeJacobian<P>) {
+    can.whole_jacobian = true;
+    can.jacobian = [](void* p, const Where& at, Eigen::MatrixXd& J) {
+      static_cast<P*>(p)->jacobian(at.t, at.r, at.v, at.y, J);
+    };
+  } else if constexpr (HasJacobian<P> && (of_places || FirstOrderProblem<P>)) {
+    can.jacobian = [](void* p, const Where& at, Eigen::MatrixXd& J) {
+      static_cast<P*>(p)->jacobian(at.t, of_places ? at.r : at.y, J);
+    };
+  }
+  if constexpr (HasSparseJacobian<P> && (of_places || FirstOrderProblem<P>)) {
+    can.sparse_jacobian = [](void* p, const Where& at, SparseJacobian& J) {
+      static_cast<P*>(p)->sparse_jacobian(at.t, of_places ? at.r : at.y, J);
+    };
+  }
+  if constexpr (Banded<P>) {
+    can.bandwidth = [](const void* p) { return static_cast<const P*>(p)->bandwidth(); };
+  }
+}
+
+template <class P>
+constexpr void add_measures(Abilities& can) {
+  if constexpr (Measures<P>) {
+    can.distance = [](const void* p, const In& x, const In& y) { return static_cast<const P*>(p)->distance(x, y); };
+  }
+  if constexpr (MeasuresFields<P>) {
+    can.field_distance = [](const void* p, std::size_t k, const In& x, const In& y) {
+      return static_cast<const P*>(p)->distance(k, x, y);
+    };
+  }
+  if constexpr (HasRanges<P>) {
+    can.ranges = [](const void* p) { return std::vector<Range>(static_cast<const P*>(p)->ranges()); };
+  }
+  if constexpr (HasStepLimits<P>) {
+    can.step_limits = [](void* p, const State& at) {
+      return std::vector<TimeScale>(static_cast<P*>(p)->step_limits(at));
+    };
+  }
+}
+
+template <class P>
+constexpr void add_jumps_and_fields(Abilities& can) {
+  if constexpr (Jumps<P>) {
+    can.jump = [](void* p, State& at, double dt) { return static_cast<P*>(p)->jump(at, dt); };
+  }
+  if constexpr (LocatesJumps<P>) {
+    can.first_jump = [](void* p, const StepPath& path, double end) {
+      return static_cast<P*>(p)->first_jump(path, end);
+    };
+  }
+  if constexpr (StaggeredProblem<P>) {
+    can.fields = [](void* p) { return static_cast<P*>(p)->fields(); };
+    can.solve = [](void* p, std::size_t k, const State& from, double dt, const State& seen, State& to) {
+      return static_cast<P*>(p)->solve(k, from, dt, seen, to);
+    };
+    can.part = [](void* p, std::size_t k) { return static_cast<P*>(p)->part(k); };
+  }
+}
+
+template <class P>
+constexpr Abilities abilities() {
+  Abilities can{.traits = traits_of<P>()};
+  add_right_hand_sides<P>(can);
+  add_jacobians<P>(can);
+  add_measures<P>(can);
+  add_jumps_and_fields<P>(can);
+  return can;
+}
+
+template <class P>
+inline constexpr Abilities abilities_of = abilities<P>();
+
+}  // namespace detail
+
+/// Any problem with its type erased, as schemes see it: a pointer to it and one to the table of what it can do. Nothing
+/// is owned or allocated; a scheme is compiled once, in its source, and a problem costs its user one table.
+///
+/// Right-hand sides and Jacobians can be counted, and go to a Hook if there is one. Asked for an ability that the
+/// problem does not have, it has none to call: ask first.
+class Problem {
+ public:
+  /// @param problem      must outlive this
+  /// @param evaluations  counts the right-hand sides that are asked for, slow and fast parts apart, and solved fields;
+  ///                     none: they are not counted
+  template <AnyProblem P>
+  requires(!std::is_same_v<std::remove_const_t<P>, Problem>) Problem(P& problem, long* evaluations = nullptr)
+      : self_(const_cast<std::remove_const_t<P>*>(&problem)), can_(&detail::abilities_of<P>), count_(evaluations) {}
+
+  /// @param evaluations  counts from now on @return the same problem, whose right-hand sides are counted
+  Problem counted_by(long& evaluations) const {
+    Problem same = *this;
+    same.count_ = &evaluations;
+    return same;
+  }
+  /// @param hook  must outlive what is returned @return the same problem, whose questions go to a hook
+  Problem with(Hook& hook) const {
+    Problem same = *this;
+    same.hook_ = &hook;
+    return same;
+  }
+  /// @return the same problem, which answers by itself and counts nothing
+  Problem bare() const {
+    Problem same = *this;
+    same.hook_ = nullptr, same.count_ = nullptr;
+    return same;
+  }
+
+  /// @return what it has
+  const Traits& traits() const { return can_->traits; }
+
+  /// All rates at once.
+  ///
+  /// @param at  where; a part that the problem does not have is empty
+  /// @param to  receives the rates of what it has
+  /// @return whether the problem has a value there
+  bool rates(const Where& at, const Answers& to) const {
+    if (count_) ++*count_;
+    return hook_ ? hook_->rates(bare(), Hook::Side::whole, at, to) : can_->rates(self_, at, to);
+  }
+  /// The same, into vectors of the length that they need.
   ///
   /// @param t   time [s]
-  /// @param y   positions, then velocities
-  /// @param dy  velocities, then accelerations; as long as y
+  /// @param r   places [m]
+  /// @param v   velocities [m/s]
+  /// @param y   values
+  /// @param to  receives the rates
   /// @return whether the problem has a value there
-  bool rate(double t, In y, Out dy) {
-    const Eigen::Index n = y.size() / 2;
-    dy.head(n) = y.tail(n);
-    if constexpr (PositionProblem<P>) {
-      return problem.acceleration(t, y.head(n), dy.tail(n));
-    } else {
-      return problem.acceleration(t, y.head(n), y.tail(n), dy.tail(n));
-    }
+  bool rates(double t, const Eigen::VectorXd& r, const Eigen::VectorXd& v, const Eigen::VectorXd& y, Rates& to) const {
+    to.a.resize(r.size());
+    if (can_->traits.values) to.dy.resize(y.size());
+    return rates(Where{t, {r.data(), r.size()}, {v.data(), v.size()}, {y.data(), y.size()}},
+                 Answers{{to.a.data(), to.a.size()}, {to.dy.data(), to.dy.size()}});
   }
+  /// @param at  a state @param to receives its rates @return whether the problem has a value there
+  bool rates(const State& at, Rates& to) const { return rates(at.t, at.r, at.v, at.y, to); }
+
+  /// @return whether it has a slow and a fast part
+  bool splits() const { return can_->slow; }
+  /// @param at  where @param to receives the slow part @return whether it has a value there
+  bool rate_slow(const Where& at, const Answers& to) const {
+    if (count_) ++*count_;
+    return hook_ ? hook_->rates(bare(), Hook::Side::slow, at, to) : can_->slow(self_, at, to);
+  }
+  /// @param at  where @param to receives the fast part @return whether it has a value there
+  bool rate_fast(const Where& at, const Answers& to) const {
+    if (count_) ++*count_;
+    return hook_ ? hook_->rates(bare(), Hook::Side::fast, at, to) : can_->fast(self_, at, to);
+  }
+
+  /// @return whether it gives a Jacobian
+  bool has_jacobian() const { return can_->jacobian; }
+  /// @return whether that is the one of HasWholeJacobian
+  bool has_whole_jacobian() const { return can_->whole_jacobian; }
+  /// @param at  where @param J receives the Jacobian, of the size that it has before
+  void jacobian(const Where& at, Eigen::MatrixXd& J) const {
+    hook_ ? hook_->jacobian(bare(), at, J) : can_->jacobian(self_, at, J);
+  }
+  /// @return whether it gives a sparse one
+  bool has_sparse_jacobian() const { return can_->sparse_jacobian; }
+  /// @param at  where @param J receives the Jacobian, of the size that it has before
+  void sparse_jacobian(const Where& at, SparseJacobian& J) const { can_->sparse_jacobian(self_, at, J); }
+  /// @return the diagonals outside which it is zero; none: unknown
+  std::optional<Bandwidth> bandwidth() const {
+    return can_->bandwidth ? std::optional(can_->bandwidth(self_)) : std::nullopt;
+  }
+
+  /// Distance in the problem's own measure, in the sum of absolute values without one.
+  ///
+  /// @param x  places, or values where the problem has nothing else
+  /// @param y  others, as many
+  /// @return distance, >= 0, in their unit
+  double distance(const In& x, const In& y) const;
+  /// The same of one staggered field.
+  ///
+  /// @param k  which field
+  /// @param x  what it owns, of motion the places
+  /// @param y  another value of it
+  /// @return distance, >= 0, in its unit
+  double distance(std::size_t k, const In& x, const In& y) const;
+  /// @param size  of y @return the ranges that it falls into: the problem's, or one
+  /// @throws std::invalid_argument if the problem's do not make up y one after the other
+  std::vector<Range> ranges(Eigen::Index size) const;
+
+  /// @return whether its state jumps
+  bool jumps() const { return can_->jump; }
+  /// @param at  the end of a step; receives what it becomes @param dt that step [s] @return what was done
+  Jump jump(State& at, double dt) const {
+    Jump jump = can_->jump(self_, at, dt);
+    if (hook_) hook_->jumped(jump);
+    return jump;
+  }
+  /// @return whether it finds the moment of its jumps
+  bool locates_jumps() const { return can_->first_jump; }
+  /// @param path  a step @param end how far to look [-] @return the place of the first jump in it, if any
+  std::optional<double> first_jump(const StepPath& path, double end) const {
+    return can_->first_jump(self_, path, end);
+  }
+
+  /// @return the number of staggered fields
+  std::size_t fields() const { return can_->fields(self_); }
+  /// Advances one field; see StaggeredProblem.
+  ///
+  /// @param k     which field
+  /// @param from  the start of the step
+  /// @param dt    the step [s]
+  /// @param seen  where the other fields are taken from
+  /// @param to    receives the field
+  /// @return whether there is a value
+  bool solve(std::size_t k, const State& from, double dt, const State& seen, State& to) const {
+    if (count_) ++*count_;
+    return can_->solve(self_, k, from, dt, seen, to);
+  }
+  /// @param k  which field @return the part of a state that it owns
+  Part part(std::size_t k) const { return can_->part(self_, k); }
+
+  /// @return whether it has time scales that limit a step
+  bool has_step_limits() const { return can_->step_limits; }
+  /// @param at  a state @return the time scales there
+  std::vector<TimeScale> step_limits(const State& at) const { return can_->step_limits(self_, at); }
+
+ private:
+  void* self_;
+  const detail::Abilities* can_;
+  long* count_ = nullptr;
+  Hook* hook_ = nullptr;
 };
+
+/// @tparam P  a problem
+/// @param problem  any
+/// @return what it has, also where its type is erased
+template <class P>
+Traits traits(const P& problem) {
+  if constexpr (std::is_same_v<P, Problem>) {
+    return problem.traits();
+  } else {
+    return traits_of<P>();
+  }
+}
 
 }  // namespace particulate::schemes

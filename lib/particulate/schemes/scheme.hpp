@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 
 #include <particulate/schemes/problem.hpp>
 
@@ -13,7 +14,7 @@
 
 namespace particulate::schemes {
 
-/// Iteration of one attempted step; of the controlling field, where several are staggered.
+/// Iteration of one attempted step; of the controlling part, where a state has several.
 ///
 /// Sweeps are numbered from 0: w_0 is the change made by the first, w_K by the last, with K contractions between. An
 /// explicit scheme makes no sweep: K stays -1. See IterationMeasure for how the numbers come about.
@@ -26,33 +27,48 @@ struct Iteration {
   int p = 2;                    ///< contraction ~ Dt^p: 2 for second-order problems, 1 for first-order ones [-]
   bool evaluated = true;        ///< false: the problem had no value, or no finite one, at some iterate
   double rounding = 0.0;        ///< what one rounding of the state makes of w: no w below it means anything [-]
-  std::string_view field = {};  ///< where several fields are staggered, the name of this one; it outlives the run
+  std::string_view field = {};  ///< where a state has several parts, the name of this one; it outlives the run
 };
 
 /// A scheme is a value: copying it checkpoints whatever history it keeps.
 ///
 /// `predict(problem, from, dt, to)` gives the first guess of the step, which is an explicit scheme's answer, and
 /// returns whether the problem had a value; `accept(dt)` keeps the step's history for the next one; `forget()` drops
-/// it, because the state was changed from outside.
-template <class S, class P, class State>
-concept Scheme = std::copyable<S> && requires(S& s, P& p, const State& from, double dt, State& to) {
+/// it, because the state was changed from outside. `advances(traits)`, a constant function, says whether the scheme can
+/// advance all that a problem has; values that change by jumps alone are carried along for it.
+template <class S>
+concept Scheme = std::copyable<S> && requires(S& s, const Problem& p, const State& from, double dt, State& to) {
   { S::order } -> std::convertible_to<int>;
+  { S::advances(Traits{}) } -> std::same_as<bool>;
   { s.predict(p, from, dt, to) } -> std::same_as<bool>;
   s.accept(dt);
   s.forget();
 };
 
+/// A scheme that can advance all that a problem has. Of a problem whose type is erased that is not known before a run
+/// starts, which then refuses it.
+template <class S, class P>
+concept Advances = Scheme<S> && (std::same_as<std::remove_const_t<P>, Problem> || S::advances(traits_of<P>()));
+
 /// A scheme that improves its guess by sweeps: `sweep(problem, from, dt, to)`. One sweep is the unit, so that the
 /// fixed point of the monograph, collocation, Newton and staggered fields fit one loop.
-template <class S, class P, class State>
-concept Iterative = Scheme<S, P, State> && requires(S& s, P& p, const State& from, double dt, State& to) {
+template <class S>
+concept Iterative = Scheme<S> && requires(S& s, const Problem& p, const State& from, double dt, State& to) {
   { s.sweep(p, from, dt, to) } -> std::same_as<Iteration>;
 };
 
 /// A scheme with dense output: `at(from, dt, theta, there)`, the state at a fraction theta of the step just made.
-template <class S, class State>
+template <class S>
 concept Dense = requires(const S& s, const State& from, double dt, double theta, State& there) {
   s.at(from, dt, theta, there);
+};
+
+/// Ability of a scheme: how many of a problem's time scales one of its steps may span, `spans(kind, sweeps)`: 1/omega or
+/// 1/lambda, beyond which it is unstable or its sweeps do not contract. `sweeps` is how many a step makes, or 0 where they
+/// go on until they have converged. Without the ability there is no such limit.
+template <class S>
+concept Limited = requires(const S& s, TimeScale::Kind kind, int sweeps) {
+  { s.spans(kind, sweeps) } -> std::same_as<double>;
 };
 
 /// What a scheme thinks of the error that one step left.
@@ -66,18 +82,19 @@ struct Attempt {
   double dt;                               ///< the step that was tried [s]
   Iteration iteration;                     ///< how its iteration went
   Truncation truncation = {};              ///< of the scheme, if it estimates any
-  std::span<const Iteration> fields = {};  ///< of every field, where several are staggered
+  std::span<const Iteration> fields = {};  ///< of every part of the state, where it has several
 };
 
-/// Ability of a scheme: one Iteration for each of several fields, each in units of that field's tolerance.
+/// Ability of a scheme: one Iteration for each of several parts of the state, each in units of that part's tolerance;
+/// none where there is one part alone.
 template <class S>
-concept Staggers = requires(const S& s) {
+concept Measured = requires(const S& s) {
   { s.iterations() } -> std::convertible_to<std::span<const Iteration>>;
 };
 
 /// Ability of a scheme: `truncation(problem, from, dt, to)` estimates the error of the step just made.
-template <class S, class P, class State>
-concept EstimatesTruncation = requires(S& s, P& p, const State& from, double dt, const State& to) {
+template <class S>
+concept EstimatesTruncation = requires(S& s, const Problem& p, const State& from, double dt, const State& to) {
   { s.truncation(p, from, dt, to) } -> std::same_as<Truncation>;
 };
 
@@ -92,7 +109,8 @@ enum class Failure {
   inaccurate,         ///< the error of the step stays above the tolerance
   unsettled_jump,     ///< a jump of the state could not be completed
   not_located,        ///< a jump or an event is in a step, but no shorter step ends there
-  accumulating        ///< jumps or events follow one another ever faster, and never get beyond a time
+  accumulating,       ///< jumps or events follow one another ever faster, and never get beyond a time
+  beyond_limit        ///< a fixed step spans more of a time scale of the problem than the scheme can
 };
 
 /// What the controller made of an attempt.
@@ -113,6 +131,16 @@ concept Controller = std::copyable<C> && requires(C& c, const C& seen, const Ite
   { seen.goes_on(sweeping) } -> std::same_as<bool>;
   { c.judge(made) } -> std::same_as<Decision>;
   validate(seen);
+};
+
+/// Ability of a controller: `fixes_step`, a constant. A step beyond a limit of the problem is then refused, not cut.
+template <class C>
+concept FixesStep = C::fixes_step;
+
+/// Ability of a controller: `sweeps`, how many every step makes.
+template <class C>
+concept FixesSweeps = requires(const C& c) {
+  { c.sweeps } -> std::convertible_to<int>;
 };
 
 /// Ability of a controller: `ignores_truncation`, a constant. No estimate is then made for it, which may cost
@@ -145,6 +173,7 @@ struct [[nodiscard]] Outcome {
   double energy_change = 0.0;  ///< of the kinetic energy by jumps [J]
   double accumulation = std::numeric_limits<double>::quiet_NaN();  ///< after Failure::accumulating: the time that jumps
                                                                    ///< or events do not get beyond [s]
+  std::string ruled = {};  ///< the time scale of the problem that cut a step last; empty: none did
 };
 
 }  // namespace particulate::schemes

@@ -2,7 +2,6 @@
 
 #include <complex>
 #include <cstddef>
-#include <memory>
 #include <vector>
 
 #include <Eigen/Core>
@@ -51,55 +50,19 @@ class StageEigenvalues {
   Eigen::MatrixXcd apart_, together_;
 };
 
-/// Decomposes and solves the systems of StageEigenvalues by LU decomposition with pivoting.
-///
-/// @tparam M  matrix of a Jacobian: Eigen::MatrixXd, or Eigen::SparseMatrix<double> (banded ones too)
-template <class M>
-class LinearStages {
- public:
-  using Matrix = M;  ///< of a Jacobian
-
-  /// Decomposes the systems.
-  ///
-  /// @param of  eigenvalues
-  /// @param dt  step h [s]
-  /// @param J   of the rates; empty: none, n x n
-  /// @param K   of the accelerations with respect to positions; empty: none, n x n
-  void factorize(const StageEigenvalues& of, double dt, const Matrix& J, const Matrix& K);
-  /// Solves one system.
-  ///
-  /// @param i      which eigenvalue
-  /// @param right  n right-hand sides
-  /// @return n; not finite if the system is singular
-  Eigen::VectorXcd solve(std::size_t i, const Eigen::VectorXcd& right) const;
-
-  /// Writes one entry of a matrix that is filled column by column.
-  ///
-  /// @param matrix  to be written, n x n, zero before
-  /// @param i       row
-  /// @param j       column
-  /// @param value   entry
-  static void set(Matrix& matrix, Eigen::Index i, Eigen::Index j, double value);
-  /// @param matrix  any
-  /// @return whether it holds neither NaN nor infinity
-  static bool is_finite(const Matrix& matrix);
-
- private:
-  struct Factors;
-  std::shared_ptr<const Factors> factors_;  // never changed, so that copies may share them
-};
-
-/// Dense matrices.
-using DenseStages = LinearStages<Eigen::MatrixXd>;
-extern template class LinearStages<Eigen::MatrixXd>;
+/// Dense matrices of a Jacobian, decomposed with pivoting.
+struct DenseStages {};
+/// Sparse matrices, whose columns are ordered to fill in little; banded matrices too.
+struct SparseStages {};
 
 /// Simplified Newton: the Jacobian is taken at the start of a step and kept as long as the sweeps contract fast.
 ///
 /// It solves stiff problems, whose fixed-point sweeps would need steps as small as an explicit scheme's. The Jacobian
-/// is the problem's own, if it has that ability (`jacobian(t, y, J)`; of a PositionProblem, of the accelerations with
-/// respect to the positions), else made of difference quotients, which are charged as evaluations: one for each
-/// unknown, or for a banded one, one for each diagonal, and one at the start.
-/// @tparam Stages  DenseStages, or SparseStages (sparse_stages.hpp) for a problem with a sparse Jacobian or a bandwidth
+/// is the problem's own, if it has that ability (HasJacobian, HasWholeJacobian), else made of difference quotients, which
+/// are charged as evaluations: one for each unknown, or for a banded one, one for each diagonal, and one at the start.
+/// Where motion and values act on each other it is that of all of (r, v, y).
+/// @tparam Stages  DenseStages, or SparseStages for a problem with a sparse Jacobian or a bandwidth, which has motion or
+///                 values, not both
 template <class Stages = DenseStages>
 struct Newton {
   using Linear = Stages;  ///< how the linear systems are solved

@@ -39,40 +39,115 @@ Staggered::Staggered(std::vector<Field> fields, Seen seen, std::optional<Aitken>
   }
 }
 
-void Staggered::require_fields(std::size_t of_problem) const {
-  if (fields_.size() != of_problem) {
+bool Staggered::predict(const Problem& problem, const State& from, double dt, State& to) {
+  to = from;
+  advance_time(from, dt, to);
+  begin(problem, to);
+  return true;
+}
+
+void Staggered::begin(const Problem& problem, const State& to) {
+  if (fields_.size() != problem.fields()) {
     throw std::invalid_argument(fmt::format(
-        "staggering: there must be settings for each of the problem's {} fields, got {}", of_problem, fields_.size()));
+        "staggering: there must be settings for each of the problem's {} fields, got {}", problem.fields(),
+        fields_.size()));
+  }
+  owned_.resize(fields_.size());
+  measures_.resize(fields_.size());
+  starts_.resize(fields_.size());
+  olds_.resize(fields_.size());
+  Eigen::Index places = 0, values = 0;
+  for (std::size_t k = 0; k < fields_.size(); ++k) {
+    const Part part = problem.part(k);
+    if (!part.motion && !(part.first >= 0 && part.size >= 0 && part.first + part.size <= to.y.size())) {
+      throw std::invalid_argument(
+          fmt::format("staggering: field {} must own a range of the {} values of the state, got {} from {} on",
+                      fields_[k].name, to.y.size(), part.size, part.first));
+    }
+    owned_[k] = {.part = part, .measured = part.motion ? to.r.size() : part.size};
+    measures_[k].begin(fields_[k].p, fields_[k].name);
+    (part.motion ? places : values) += owned_[k].measured;
+    starts_[k] = read(owned_[k], to);
+  }
+  if (places != to.r.size() || values != to.y.size()) {
+    throw std::invalid_argument(
+        fmt::format("staggering: fields must own all of the state, {} places and {} values, each once; they own {} and {}",
+                    to.r.size(), to.y.size(), places, values));
+  }
+  if (relaxation_) relaxation_->forget();
+  collect();
+}
+
+Eigen::VectorXd Staggered::read(const Owned& field, const State& state) {
+  if (!field.part.motion) return state.y.segment(field.part.first, field.part.size);
+  Eigen::VectorXd all(state.r.size() + state.v.size());
+  all.head(state.r.size()) = state.r;
+  all.tail(state.v.size()) = state.v;
+  return all;
+}
+
+void Staggered::write(const Owned& field, const Eigen::VectorXd& value, State& state) {
+  if (field.part.motion) {
+    state.r = value.head(state.r.size());
+    state.v = value.tail(state.v.size());
+  } else {
+    state.y.segment(field.part.first, field.part.size) = value;
+  }
+}
+
+Iteration Staggered::sweep(const Problem& problem, const State& from, double dt, State& to) {
+  for (std::size_t k = 0; k < fields_.size(); ++k) olds_[k] = read(owned_[k], to);
+  std::optional<State> previous;
+  if (seen_ == Seen::previous) previous = to;
+  for (std::size_t k = 0; k < fields_.size(); ++k) {
+    if (!problem.solve(k, from, dt, previous ? *previous : to, to)) {
+      measures_[k].no_value();
+      break;
+    }
+    record(problem, k, to);
+  }
+  collect();
+  const Iteration worst = worst_of(iterations_);
+  if (relaxation_ && worst.evaluated) relax(to);
+  return worst;
+}
+
+void Staggered::record(const Problem& problem, std::size_t k, const State& to) {
+  const Eigen::Index n = owned_[k].measured;
+  const Eigen::VectorXd value = read(owned_[k], to).head(n);
+  if (measures_[k].waits_for_first()) {
+    measures_[k].normalize(problem.distance(k, value, starts_[k].head(n)),
+                           problem.distance(k, starts_[k].head(n), Eigen::VectorXd::Zero(n)));
+  }
+  measures_[k].record(problem.distance(k, value, olds_[k].head(n)));
+}
+
+// Leaves in olds_ the residuals, and moves every field on by the same multiple of its own.
+void Staggered::relax(State& to) {
+  for (std::size_t k = first_relaxed(); k < fields_.size(); ++k) olds_[k] = read(owned_[k], to) - olds_[k];
+  const double omega = relaxation_factor();
+  for (std::size_t k = first_relaxed(); k < fields_.size(); ++k) {
+    write(owned_[k], read(owned_[k], to) + (omega - 1.0) * olds_[k], to);
   }
 }
 
 void Staggered::collect() {
   iterations_.clear();
   for (std::size_t k = 0; k < fields_.size(); ++k) {
-    Iteration it = measures_[k].iteration();
-    it.w_0 /= fields_[k].TOL;
-    it.w_K /= fields_[k].TOL;
-    it.rounding /= fields_[k].TOL;
-    iterations_.push_back(it);
+    iterations_.push_back(in_units(measures_[k].iteration(), fields_[k].TOL));
   }
-}
-
-// A field without a value is the worst; the first of equals.
-const Iteration& Staggered::worst() const {
-  return *std::max_element(iterations_.begin(), iterations_.end(), [](const Iteration& a, const Iteration& b) {
-    return a.evaluated != b.evaluated ? a.evaluated : a.w_K < b.w_K;
-  });
 }
 
 double Staggered::relaxation_factor() {
   Eigen::Index size = 0;
-  for (std::size_t k = first_relaxed(); k < fields_.size(); ++k) size += olds_[k].size();
+  for (std::size_t k = first_relaxed(); k < fields_.size(); ++k) size += owned_[k].measured;
   Eigen::VectorXd residual(size);
   Eigen::Index at = 0;
   for (std::size_t k = first_relaxed(); k < fields_.size(); ++k) {
     const double unit = measures_[k].unit();
-    residual.segment(at, olds_[k].size()) = olds_[k] / (unit > 0.0 ? unit : 1.0);
-    at += olds_[k].size();
+    const Eigen::Index n = owned_[k].measured;
+    residual.segment(at, n) = olds_[k].head(n) / (unit > 0.0 ? unit : 1.0);
+    at += n;
   }
   return relaxation_->factor(residual);
 }

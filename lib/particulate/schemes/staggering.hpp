@@ -2,7 +2,6 @@
 
 #include <optional>
 #include <span>
-#include <stdexcept>
 #include <string_view>
 #include <vector>
 
@@ -58,11 +57,12 @@ class Aitken {
 /// \Phi_K \f$ then holds only roughly. Under Jacobi there is none: its eigenvalues come in pairs of opposite sign,
 /// which no single factor can bring down.
 ///
-/// The problem is a StaggeredProblem for the state; the state is Values or a struct of the problem's own, with `t`, for
-/// which `validate_run(state, t_end)` and `is_finite(state)` stand beside it.
+/// A field owns the motion, r and v, and is measured by r, or it owns a range of y: see Part.
 class Staggered {
  public:
   static constexpr int order = 1;  ///< of the global error where every field is solved by an Euler scheme [-]
+  /// @param of  what a problem has @return whether it has fields
+  static constexpr bool advances(const Traits& of) { return of.staggered; }
 
   /// @param fields      as many as the problem has, in the order in which they are solved
   /// @param seen        which values of the others a field sees
@@ -78,22 +78,7 @@ class Staggered {
   /// @param to       receives the first iterate
   /// @return true
   /// @throws std::invalid_argument if the problem has another number of fields
-  template <class State, class P>
-  bool predict(P& problem, const State& from, double dt, State& to) {
-    require_fields(problem.fields());
-    to = from;
-    to.t = from.t + dt;
-    measures_.resize(fields_.size());
-    starts_.resize(fields_.size());
-    olds_.resize(fields_.size());
-    for (std::size_t k = 0; k < fields_.size(); ++k) {
-      measures_[k].begin(fields_[k].p, fields_[k].name);
-      starts_[k] = problem.part(k, to);
-    }
-    if (relaxation_) relaxation_->forget();
-    collect();
-    return true;
-  }
+  bool predict(const Problem& problem, const State& from, double dt, State& to);
 
   /// One sweep over all fields.
   ///
@@ -102,22 +87,7 @@ class Staggered {
   /// @param dt       step [s]
   /// @param to       the iterate; receives the next one
   /// @return the iteration of the field with the largest error, in units of its tolerance
-  template <class State, class P>
-  Iteration sweep(P& problem, const State& from, double dt, State& to) {
-    for (std::size_t k = 0; k < fields_.size(); ++k) olds_[k] = problem.part(k, to);
-    std::optional<State> previous;
-    if (seen_ == Seen::previous) previous = to;
-    for (std::size_t k = 0; k < fields_.size(); ++k) {
-      if (!problem.solve(k, from, dt, previous ? *previous : to, to)) {
-        measures_[k].no_value();
-        break;
-      }
-      record(problem, k, to);
-    }
-    collect();
-    if (relaxation_ && worst().evaluated) relax(problem, to);
-    return worst();
-  }
+  Iteration sweep(const Problem& problem, const State& from, double dt, State& to);
 
   /// @return how each field's iteration went, in units of its tolerance
   std::span<const Iteration> iterations() const { return iterations_; }
@@ -126,33 +96,25 @@ class Staggered {
   void forget() {}        ///< Has nothing to forget.
 
  private:
-  void require_fields(std::size_t of_problem) const;
+  // Where a field stands in a state; what is measured of it comes first.
+  struct Owned {
+    Part part;
+    Eigen::Index measured = 0;  // how many numbers
+  };
+  static Eigen::VectorXd read(const Owned& field, const State& state);
+  static void write(const Owned& field, const Eigen::VectorXd& value, State& state);
+
+  void begin(const Problem& problem, const State& to);
   void collect();
-  const Iteration& worst() const;
   double relaxation_factor();
-
-  template <class State, class P>
-  void record(P& problem, std::size_t k, State& to) {
-    const Eigen::VectorXd value = problem.part(k, to);
-    if (measures_[k].waits_for_first()) {
-      measures_[k].normalize(distance(problem, k, value, starts_[k]),
-                             distance(problem, k, starts_[k], Eigen::VectorXd::Zero(value.size())));
-    }
-    measures_[k].record(distance(problem, k, value, olds_[k]));
-  }
-
-  // Leaves in olds_ the residuals, and moves every field on by the same multiple of its own.
-  template <class State, class P>
-  void relax(P& problem, State& to) {
-    for (std::size_t k = first_relaxed(); k < fields_.size(); ++k) olds_[k] = problem.part(k, to) - olds_[k];
-    const double omega = relaxation_factor();
-    for (std::size_t k = first_relaxed(); k < fields_.size(); ++k) problem.part(k, to) += (omega - 1.0) * olds_[k];
-  }
+  void record(const Problem& problem, std::size_t k, const State& to);
+  void relax(State& to);
   std::size_t first_relaxed() const { return fields_.size() > 1 ? 1 : 0; }
 
   std::vector<Field> fields_;
   Seen seen_;
   std::optional<Aitken> relaxation_;
+  std::vector<Owned> owned_;
   std::vector<IterationMeasure> measures_;
   std::vector<Iteration> iterations_;
   std::vector<Eigen::VectorXd> starts_, olds_;

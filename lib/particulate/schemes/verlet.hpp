@@ -1,6 +1,6 @@
 #pragma once
 
-#include <utility>
+#include <limits>
 
 #include <particulate/schemes/problem.hpp>
 
@@ -16,6 +16,12 @@ namespace particulate::schemes {
 /// there. Linearly stable on an oscillator for \f$ \omega\,\Delta t < 2 \f$.
 struct VelocityVerlet {
   static constexpr int order = 2;  ///< of the global error [-]
+  /// @param of  what a problem has @return whether it is a motion whose forces ignore velocities, and no more
+  static constexpr bool advances(const Traits& of) { return of.motion && !of.velocities && !of.values; }
+  /// @param kind  of time scale @return how many of them one step may span: see Limited [-]
+  static double spans(TimeScale::Kind kind, int) {
+    return kind == TimeScale::Kind::oscillates ? 2.0 : std::numeric_limits<double>::infinity();
+  }
 
   /// One step.
   ///
@@ -24,37 +30,17 @@ struct VelocityVerlet {
   /// @param dt       step [s]
   /// @param to       receives the state at its end
   /// @return whether the problem had a value at both ends
-  template <PositionProblem P>
-  bool predict(P& problem, const Motion& from, double dt, Motion& to) {
-    if (!(kept_ && from.t == kept_t_ && from.r.size() == kept_r_.size() && from.r == kept_r_)) {
-      kept_ = false;
-      start_.resize(from.r.size());
-      if (!problem.acceleration(from.t, from.r, start_)) return false;
-    }
-    to.t = from.t + dt;
-    to.r = from.r + dt * from.v + (0.5 * dt * dt) * start_;
-    end_.resize(from.r.size());
-    if (!problem.acceleration(to.t, to.r, end_)) return false;
-    to.v = from.v + (0.5 * dt) * (start_ + end_);
-    end_t_ = to.t;
-    end_r_ = to.r;
-    return true;
-  }
-
+  bool predict(const Problem& problem, const State& from, double dt, State& to);
   /// Keeps the acceleration at the end of the step, with the time and place where it holds.
-  void accept(double) {
-    std::swap(start_, end_);
-    std::swap(kept_r_, end_r_);
-    kept_t_ = end_t_;
-    kept_ = true;
-  }
-
+  void accept(double);
   /// Drops the kept acceleration: for a caller that has changed the problem itself.
   void forget() { kept_ = false; }
 
  private:
-  Eigen::VectorXd start_, end_, kept_r_, end_r_;
-  double kept_t_ = 0.0, end_t_ = 0.0;
+  bool continues(const State& from) const;
+
+  Rates start_, end_;
+  State kept_at_, end_at_;  // where they hold; velocities do not count
   bool kept_ = false;
 };
 

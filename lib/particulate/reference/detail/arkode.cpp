@@ -19,8 +19,6 @@ namespace particulate::reference::detail {
 
 namespace {
 
-using schemes::Values;
-
 ARKODE_ERKTableID id(Table table) {
   switch (table) {
     case Table::heun_euler_2_1_2:
@@ -155,7 +153,7 @@ void Arkode::stop_at(double t_end) {
   fixed_steps_ = 0;
 }
 
-int Arkode::step(const Values& from, double t_end, N_Vector y, double& t) {
+int Arkode::step(const Flat& from, double t_end, N_Vector y, double& t) {
   return fixed_step_ ? fixed_step(t_end - from.t, t_end, y, t) : adapted_step(from, t_end, y, t);
 }
 
@@ -193,7 +191,7 @@ int Arkode::fixed_step(double left, double t_end, N_Vector y, double& t) {
 
 // A step of ARKODE ends for good where the explicit part of a stage has no value. It is tried again, four times smaller
 // each time, until it is too small to change the time.
-int Arkode::adapted_step(const Values& from, double t_end, N_Vector y, double& t) {
+int Arkode::adapted_step(const Flat& from, double t_end, N_Vector y, double& t) {
   double dt = 0.0;
   for (;;) {
     const int flag = evolve(t_end, y, t);
@@ -213,8 +211,8 @@ double Arkode::tried(double left) const {
   return dt > 0.0 ? std::min(dt, left) : left;
 }
 
-void Arkode::begin_again(const Values& from, N_Vector y, double dt) {
-  Eigen::Map<Eigen::VectorXd>(N_VGetArrayPointer(y), from.y.size()) = from.y;
+void Arkode::begin_again(const Flat& from, N_Vector y, double dt) {
+  Eigen::Map<Eigen::VectorXd>(N_VGetArrayPointer(y), from.x.size()) = from.x;
   check(PARTICULATE_ARK(Reset)(memory_.get(), from.t, y), "ARKStepReset");
   check(PARTICULATE_ARK(SetInitStep)(memory_.get(), dt), "ARKStepSetInitStep");
 }

@@ -28,7 +28,7 @@ class Arkode {
 
   void restart(double t, N_Vector y);
   void stop_at(double t_end);
-  int step(const schemes::Values& from, double t_end, N_Vector y, double& t);
+  int step(const Flat& from, double t_end, N_Vector y, double& t);
   Counts counts() const;
   static std::vector<Hit> hits() { return {}; }
   static std::string name_of(int flag);
@@ -40,9 +40,9 @@ class Arkode {
   void begin(const Settings& method);
   int evolve(double t_end, N_Vector y, double& t);
   int fixed_step(double left, double t_end, N_Vector y, double& t);
-  int adapted_step(const schemes::Values& from, double t_end, N_Vector y, double& t);
+  int adapted_step(const Flat& from, double t_end, N_Vector y, double& t);
   double tried(double left) const;
-  void begin_again(const schemes::Values& from, N_Vector y, double dt);
+  void begin_again(const Flat& from, N_Vector y, double dt);
 
   Evaluate explicit_part_;
   Evaluate implicit_part_;

@@ -14,14 +14,32 @@ Eigen::Map<const Eigen::VectorXd> read(N_Vector y) {
   return {N_VGetArrayPointer(y), static_cast<Eigen::Index>(N_VGetLength(y))};
 }
 
-int evaluate_by(const Rate& rate, double t, N_Vector y, N_Vector dy, Callback& callback) noexcept {
+using schemes::Where;
+
+// (r, v, y) in the place where SUNDIALS has it.
+Where where(double t, N_Vector x, const Callback& callback) {
+  const double* const first = N_VGetArrayPointer(x);
+  const Eigen::Index n = callback.at.r.size();
+  return {t, {first, n}, {first + n, n}, {first + 2 * n, callback.at.y.size()}};
+}
+
+using Side = bool (schemes::Problem::*)(const Where&, const schemes::Answers&) const;
+
+int evaluate_by(Side side, double t, N_Vector x, N_Vector dx, Callback& callback) noexcept {
   // The fixed-point solver of SUNDIALS 6 takes -1 for a lack of convergence and asks again: it gets no further.
   if (callback.thrown) return -1;
   try {
-    const Eigen::Map<const Eigen::VectorXd> in = read(y);
-    Eigen::Map<Eigen::VectorXd> out(N_VGetArrayPointer(dy), in.size());
+    const Where at = where(t, x, callback);
+    const Eigen::Index n = at.r.size(), m = at.y.size();
+    Eigen::Map<Eigen::VectorXd> out(N_VGetArrayPointer(dx), 2 * n + m);
+    const bool carried = callback.problem.traits().carries;
+    if (carried) out.tail(m).setZero();
     ++callback.evaluations;
-    if (rate(t, in, out) && out.allFinite()) return 0;
+    const schemes::Answers to{{out.data() + n, n}, {out.data() + 2 * n, carried ? 0 : m}};
+    if ((callback.problem.*side)(at, to)) {
+      out.head(n) = at.v;
+      if (out.allFinite()) return 0;
+    }
     callback.no_value_at = t;
     return 1;
   } catch (...) {
@@ -30,43 +48,51 @@ int evaluate_by(const Rate& rate, double t, N_Vector y, N_Vector dy, Callback& c
   }
 }
 
-void check_size(const Eigen::MatrixXd& J, Eigen::Index n) {
-  if (J.rows() == n && J.cols() == n) return;
+void check_size(const Eigen::MatrixXd& J, Eigen::Index rows, Eigen::Index columns) {
+  if (J.rows() == rows && J.cols() == columns) return;
   throw std::invalid_argument(
-      fmt::format("problem: jacobian must leave its matrix {} x {}, one row and one column an unknown, got {} x {}", n,
-                  n, J.rows(), J.cols()));
+      fmt::format("problem: jacobian must leave its matrix {} x {}, one row a rate and one column an unknown, got {} x {}",
+                  rows, columns, J.rows(), J.cols()));
 }
 
 }  // namespace
 
+bool has_jacobian(const schemes::Problem& problem) {
+  return problem.has_whole_jacobian() || (problem.has_jacobian() && !problem.traits().motion);
+}
+
 int evaluate(sunrealtype t, N_Vector y, N_Vector dy, void* data) noexcept {
   Callback& callback = *static_cast<Callback*>(data);
-  return evaluate_by(callback.problem.whole, t, y, dy, callback);
+  return evaluate_by(&schemes::Problem::rates, t, y, dy, callback);
 }
 
 int evaluate_slow(sunrealtype t, N_Vector y, N_Vector dy, void* data) noexcept {
   Callback& callback = *static_cast<Callback*>(data);
-  return evaluate_by(callback.problem.slow, t, y, dy, callback);
+  return evaluate_by(&schemes::Problem::rate_slow, t, y, dy, callback);
 }
 
 int evaluate_fast(sunrealtype t, N_Vector y, N_Vector dy, void* data) noexcept {
   Callback& callback = *static_cast<Callback*>(data);
-  return evaluate_by(callback.problem.fast, t, y, dy, callback);
+  return evaluate_by(&schemes::Problem::rate_fast, t, y, dy, callback);
 }
 
 int fill_jacobian(sunrealtype t, N_Vector y, N_Vector, SUNMatrix J, void* data, N_Vector, N_Vector, N_Vector) noexcept {
   Callback& callback = *static_cast<Callback*>(data);
   try {
-    const Eigen::Map<const Eigen::VectorXd> in = read(y);
-    const Eigen::Index n = in.size();
-    callback.jacobian.setZero(n, n);
-    callback.problem.jacobian(t, in, callback.jacobian);
-    check_size(callback.jacobian, n);
-    if (!callback.jacobian.allFinite()) {
+    const Where at = where(t, y, callback);
+    const Eigen::Index n = at.r.size(), m = at.y.size(), all = 2 * n + m;
+    Eigen::MatrixXd& rates = callback.jacobian;  // of (a, dy) by all unknowns; without motion that is all there is
+    rates.setZero(n + m, all);
+    callback.problem.jacobian(at, rates);
+    check_size(rates, n + m, all);
+    if (!rates.allFinite()) {
       callback.no_jacobian_at = t;
       return 1;
     }
-    Eigen::Map<Eigen::MatrixXd>(SUNDenseMatrix_Data(J), n, n) = callback.jacobian;  // both are column by column
+    Eigen::Map<Eigen::MatrixXd> out(SUNDenseMatrix_Data(J), all, all);  // both are column by column
+    out.setZero();
+    out.block(0, n, n, n).setIdentity();  // r' = v
+    out.bottomRows(n + m) = rates;
     return 0;
   } catch (...) {
     callback.thrown = std::current_exception();
@@ -81,7 +107,9 @@ int find_events(sunrealtype t, N_Vector y, sunrealtype* g, void* data) noexcept 
   if (callback.thrown) return -1;
   try {
     Eigen::Map<Eigen::VectorXd> out(g, static_cast<Eigen::Index>(callback.events.directions.size()));
-    callback.events.functions(t, read(y), out);
+    callback.at.t = t;
+    schemes::unflatten(read(y), callback.at);
+    callback.events.functions(callback.at, out);
     if (!out.allFinite()) {
       callback.no_event_at = t;
       return -1;

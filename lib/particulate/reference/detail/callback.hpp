@@ -9,7 +9,7 @@
 #include <Eigen/Core>
 
 #include <particulate/reference/events.hpp>
-#include <particulate/reference/problem.hpp>
+#include <particulate/schemes/problem.hpp>
 
 /// @file
 /// What SUNDIALS calls, in C, and how a problem answers.
@@ -18,7 +18,8 @@ namespace particulate::reference::detail {
 
 /// What SUNDIALS hands back to its callbacks. It sees only C: exceptions wait here until the call has returned.
 struct Callback {
-  ErasedProblem problem;
+  schemes::Problem problem;
+  schemes::State at;  ///< scratch of the events, and the lengths of r, v and y
   Events events = {};
   long evaluations = 0;
   std::exception_ptr thrown = nullptr;
@@ -34,6 +35,9 @@ struct Callback {
 int evaluate(sunrealtype t, N_Vector y, N_Vector dy, void* data) noexcept;
 int evaluate_slow(sunrealtype t, N_Vector y, N_Vector dy, void* data) noexcept;
 int evaluate_fast(sunrealtype t, N_Vector y, N_Vector dy, void* data) noexcept;
+
+/// Whether a problem gives the Jacobian of all that SUNDIALS advances.
+bool has_jacobian(const schemes::Problem& problem);
 
 /// Fills a dense matrix of SUNDIALS. Returns as evaluate() does.
 int fill_jacobian(sunrealtype t, N_Vector y, N_Vector, SUNMatrix J, void* data, N_Vector, N_Vector, N_Vector) noexcept;

@@ -23,7 +23,7 @@ Cvode::Cvode(const Bdf& method, Callback& callback, double t, N_Vector y, SUNCon
   begin(method, callback, t, y);
   check(CVodeSetLinearSolver(memory_.get(), linear_.solver.get(), linear_.matrix.get()), "CVodeSetLinearSolver");
   // Otherwise difference quotients; for a band always: a full matrix would cost more than the few that it saves.
-  if (std::holds_alternative<DenseJacobian>(method.jacobian) && callback.problem.jacobian) {
+  if (std::holds_alternative<DenseJacobian>(method.jacobian) && has_jacobian(callback.problem)) {
     check(CVodeSetJacFn(memory_.get(), fill_jacobian), "CVodeSetJacFn");
   }
 }
@@ -58,7 +58,7 @@ void Cvode::restart(double t, N_Vector y) { check(CVodeReInit(memory_.get(), t, 
 
 void Cvode::stop_at(double t_end) { check(CVodeSetStopTime(memory_.get(), t_end), "CVodeSetStopTime"); }
 
-int Cvode::step(const schemes::Values&, double t_end, N_Vector y, double& t) {
+int Cvode::step(const Flat&, double t_end, N_Vector y, double& t) {
   return CVode(memory_.get(), t_end, y, &t, CV_ONE_STEP);
 }
 

@@ -25,7 +25,7 @@ class Cvode {
 
   void restart(double t, N_Vector y);
   void stop_at(double t_end);
-  int step(const schemes::Values& from, double t_end, N_Vector y, double& t);
+  int step(const Flat& from, double t_end, N_Vector y, double& t);
   Counts counts() const;
   std::vector<Hit> hits() const;
   static std::string name_of(int flag);

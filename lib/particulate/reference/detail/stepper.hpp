@@ -7,12 +7,18 @@
 #include <sundials/sundials_nvector.h>
 
 #include <particulate/reference/events.hpp>
-#include <particulate/schemes/problem.hpp>
+#include <particulate/schemes/state.hpp>
 
 /// @file
 /// What every stepper can do: start afresh, head for an end, take a step, and tell what it has cost.
 
 namespace particulate::reference::detail {
+
+/// A state as SUNDIALS keeps it.
+struct Flat {
+  double t = 0.0;
+  Eigen::VectorXd x;  ///< (r, v, y)
+};
 
 /// What a stepper has done since it last started afresh.
 struct Counts {
@@ -23,7 +29,7 @@ struct Counts {
 struct NothingToSolve {
   void restart(double, N_Vector) {}
   void stop_at(double) {}
-  static int step(const schemes::Values&, double t_end, N_Vector, double& t) {
+  static int step(const Flat&, double t_end, N_Vector, double& t) {
     t = t_end;
     return 0;
   }

@@ -1,0 +1,15 @@
+#include <particulate/schemes/euler.hpp>
+
+namespace particulate::schemes {
+
+bool ForwardEuler::predict(const Problem& problem, const State& from, double dt, State& to) {
+  if (!problem.rates(from, rates_)) return false;
+  advance_time(from, dt, to);
+  to.r = from.r + dt * from.v;
+  to.v = from.v + dt * rates_.a;
+  to.y = from.y;
+  if (problem.traits().values) to.y += dt * rates_.dy;
+  return true;
+}
+
+}  // namespace particulate::schemes

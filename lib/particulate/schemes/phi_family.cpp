@@ -1,0 +1,100 @@
+#include <particulate/schemes/phi_family.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <type_traits>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace particulate::schemes {
+
+template <class Mixing>
+PhiFamily<Mixing>::PhiFamily(double phi, Mixing mixing) : phi_(phi), mixing_(std::move(mixing)) {
+  if (!(phi >= 0.0 && phi <= 1.0)) {
+    throw std::invalid_argument(fmt::format("phi family: phi must be in [0, 1], got {}", phi));
+  }
+}
+
+// One sweep of y' = lambda y is forward Euler; one of r'' = -omega^2 r has trace 2 - 2 phi z^2 and determinant
+// 1 + (1 - 2 phi) z^2. More of them are bounded by their contraction, and below phi = 1/2 by the scheme itself.
+template <class Mixing>
+double PhiFamily<Mixing>::spans(TimeScale::Kind kind, int sweeps) const {
+  const bool oscillates = kind == TimeScale::Kind::oscillates;
+  const double contraction = phi_ > 0.0 ? 1.0 / phi_ : std::numeric_limits<double>::infinity();
+  if (oscillates && phi_ < 0.5) return 0.0;
+  if (sweeps == 1) return oscillates ? 2.0 / std::sqrt(4.0 * phi_ - 1.0) : 2.0;
+  return phi_ < 0.5 ? std::min(contraction, 2.0 / (1.0 - 2.0 * phi_)) : contraction;
+}
+
+// Every iterate is the start moved on with mean rates over the step, phi of the end's and 1 - phi of the start's. The
+// iteration is one for these means; it begins with 0.
+template <class Mixing>
+bool PhiFamily<Mixing>::predict(const Problem& problem, const State& from, double dt, State& to) {
+  values_ = problem.traits().values;
+  measures_.begin(problem, from, problem.traits().velocities ? 1 : 2);
+  mixing_.forget();
+  mean_.a.setZero(from.r.size());
+  mean_.dy.setZero(values_ ? from.y.size() : 0);
+  if (phi_ < 1.0 && !problem.rates(from, start_)) return false;
+  advance_time(from, dt, to);
+  to.r = from.r + dt * from.v;
+  to.v = from.v;
+  to.y = from.y;
+  return true;
+}
+
+template <class Mixing>
+Iteration PhiFamily<Mixing>::sweep(const Problem& problem, const State& from, double dt, State& to) {
+  if (!problem.rates(to, rates_)) return measures_.no_value();
+  if (phi_ < 1.0) {
+    rates_.a = phi_ * rates_.a + (1.0 - phi_) * start_.a;
+    if (values_) rates_.dy = phi_ * rates_.dy + (1.0 - phi_) * start_.dy;
+  }
+  if (problem.traits().motion) measure_motion(problem, from, dt, to);
+  if (values_) {
+    next_ = from.y + dt * rates_.dy;
+    measures_.record_values(problem, from.y, to.y, next_);
+  }
+  mix();
+  to.r = from.r + dt * from.v + (phi_ * dt * dt) * mean_.a;
+  to.v = from.v + dt * mean_.a;
+  if (values_) to.y = from.y + dt * mean_.dy;
+  return measures_.worst();
+}
+
+template <class Mixing>
+void PhiFamily<Mixing>::measure_motion(const Problem& problem, const State& from, double dt, const State& to) {
+  IterationMeasure& measure = measures_.motion();
+  const bool by_speed = problem.traits().velocities;
+  const double scale = by_speed ? phi_ * dt : 1.0;
+  next_ = from.r + dt * from.v + (phi_ * dt * dt) * rates_.a;
+  if (measure.waits_for_first()) {
+    const Eigen::VectorXd zero = Eigen::VectorXd::Zero(from.r.size());
+    measure.normalize(problem.distance(next_, from.r), scale * problem.distance(by_speed ? from.v : from.r, zero));
+  }
+  if (by_speed) next_ = from.v + dt * rates_.a;
+  measure.record(scale * problem.distance(next_, by_speed ? to.v : to.r));
+}
+
+template <class Mixing>
+void PhiFamily<Mixing>::mix() {
+  const Eigen::Index n = mean_.a.size(), m = mean_.dy.size();
+  if constexpr (std::is_same_v<Mixing, Picard>) {
+    mixing_.next(mean_.a, rates_.a);
+    if (m > 0) mixing_.next(mean_.dy, rates_.dy);
+  } else {
+    Eigen::VectorXd x(n + m), gx(n + m);
+    x.head(n) = mean_.a, gx.head(n) = rates_.a;
+    if (m > 0) x.tail(m) = mean_.dy, gx.tail(m) = rates_.dy;
+    mixing_.next(x, gx);
+    mean_.a = x.head(n), mean_.dy = x.tail(m);
+  }
+}
+
+template class PhiFamily<Picard>;
+template class PhiFamily<Anderson>;
+
+}  // namespace particulate::schemes
