@@ -3,10 +3,7 @@
 #include <limits>
 #include <stdexcept>
 
-using tests::close;
-using tests::says;
-
-namespace {
+namespace tests::close_test {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -18,8 +15,6 @@ Eigen::Matrix2d a_with(Eigen::Index i, Eigen::Index j, double entry) {
   changed(i, j) = entry;
   return changed;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE(close_)
 
@@ -73,3 +68,5 @@ BOOST_AUTO_TEST_CASE(looks_for_words_in_an_exceptions_text) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace tests::close_test

@@ -7,6 +7,8 @@
 #include "close.hpp"
 #include "moment.hpp"
 
+namespace tests::contact_test {
+
 using boost::test_tools::tolerance;
 using particulate::contact::any_approach;
 using particulate::contact::Conservative;
@@ -29,11 +31,6 @@ using particulate::kinematics::Vectors;
 using particulate::kinematics::Wall;
 using particulate::kinematics::Walled;
 using particulate::schemes::Jump;
-using tests::close;
-using tests::Moment;
-using tests::says;
-
-namespace {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 const Walled room{{Wall{.point = {0.0, 0.0, -1.0}, .normal = {0.0, 0.0, 1.0}},
@@ -56,8 +53,6 @@ template <class C, class D>
 tests::Resolved resolved(const C& law, const Moment& moment, const D& domain, const Vectors& force, double dt) {
   return tests::resolved(law, moment, find_touching(domain, moment.at()), force, dt);
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE(validate_)
 
@@ -262,3 +257,5 @@ BOOST_AUTO_TEST_CASE(hands_on_what_could_not_be_settled) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace tests::contact_test

@@ -5,23 +5,19 @@
 
 #include "close.hpp"
 
+namespace tests::friction_test {
+
 using boost::test_tools::tolerance;
 using particulate::contact::Friction;
 using particulate::contact::stopping_friction;
 using particulate::contact::tangential_impulse;
 using particulate::contact::validate;
-using tests::close;
-using tests::says;
-
-namespace {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 const Friction rough{.mu_s = 0.5, .mu_d = 0.25};
 const Eigen::Vector3d slip(3.0, 4.0, 0.0);  // 5 m/s
-
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE(tangential_impulse_)
 
@@ -108,3 +104,5 @@ BOOST_AUTO_TEST_CASE(names_the_coefficient_that_is_none) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace tests::friction_test

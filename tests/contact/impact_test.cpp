@@ -6,6 +6,8 @@
 
 #include "close.hpp"
 
+namespace tests::impact_test {
+
 using boost::test_tools::tolerance;
 using particulate::contact::Body;
 using particulate::contact::External;
@@ -20,9 +22,6 @@ using particulate::contact::normal_impulse;
 using particulate::contact::Phases;
 using particulate::contact::phases;
 using particulate::contact::Rebound;
-using tests::close;
-
-namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -43,8 +42,6 @@ struct Setting {
     return impact(i, j, along_x, e, force_i / 2.0, force_j / 3.0, duration, friction);
   }
 };
-
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE(phases_)
 
@@ -281,3 +278,5 @@ BOOST_AUTO_TEST_CASE(is_the_kinetic_energy_lost_plus_the_work_of_the_other_force
 }
 
 BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace tests::impact_test

@@ -2,6 +2,8 @@
 
 #include "close.hpp"
 
+namespace tests::law_test {
+
 using particulate::contact::Conservative;
 using particulate::contact::Forces;
 using particulate::contact::MotionForce;
@@ -11,9 +13,6 @@ using particulate::contact::PositionForce;
 using particulate::contact::Validated;
 using particulate::kinematics::Open;
 using particulate::kinematics::Vectors;
-using tests::close;
-
-namespace {
 
 // A uniform field.
 struct Weight {};
@@ -52,8 +51,6 @@ static_assert(!PositionForce<Silent, Open> && !MotionForce<Silent, Open>, "a law
 static_assert(!PositionForce<Nothing, Open> && !MotionForce<Nothing, Open>);
 static_assert(!PositionForce<Weight, Elsewhere>, "a law is one for its own domains only");
 
-}  // namespace
-
 BOOST_AUTO_TEST_SUITE(Moving_)
 
 BOOST_AUTO_TEST_CASE(is_taken_by_a_law_that_asks_for_places_only) {
@@ -71,3 +68,5 @@ BOOST_AUTO_TEST_CASE(is_taken_by_a_law_that_asks_for_places_only) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace tests::law_test

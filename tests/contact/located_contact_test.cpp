@@ -7,6 +7,8 @@
 #include "close.hpp"
 #include "moment.hpp"
 
+namespace tests::located_contact_test {
+
 using boost::test_tools::tolerance;
 using particulate::contact::Conservative;
 using particulate::contact::ConstantRestitution;
@@ -33,11 +35,6 @@ using particulate::kinematics::Wall;
 using particulate::kinematics::Walled;
 using particulate::schemes::Jump;
 using particulate::schemes::Motion;
-using tests::close;
-using tests::Moment;
-using tests::says;
-
-namespace {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 const Walled ground{{Wall{}}};
@@ -77,8 +74,6 @@ template <class L, class D>
 tests::Resolved resolved(const L& law, const Moment& moment, const D& domain, const Vectors& force) {
   return tests::resolved(law, moment, find_touching(domain, moment.at(), touching_tolerance(law)), force, 0.1);
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE(validate_)
 
@@ -290,3 +285,5 @@ BOOST_AUTO_TEST_CASE(hands_on_its_friction) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace tests::located_contact_test

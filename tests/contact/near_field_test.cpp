@@ -13,6 +13,8 @@
 
 #include "close.hpp"
 
+namespace tests::near_field_test {
+
 using boost::test_tools::tolerance;
 using particulate::contact::best_kernel;
 using particulate::contact::charges;
@@ -30,10 +32,6 @@ using particulate::kinematics::CentralForce;
 using particulate::kinematics::moment;
 using particulate::kinematics::Open;
 using particulate::kinematics::Vectors;
-using tests::close;
-using tests::says;
-
-namespace {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -190,8 +188,6 @@ Eigen::Vector3d separation(const Doubled&, const Eigen::Vector3d& from, const Ei
 }
 
 const NearField monograph{.alpha1 = 1.0, .alpha2 = 0.5, .beta1 = 1.0, .beta2 = 2.0};
-
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE(validate_)
 
@@ -590,3 +586,5 @@ BOOST_AUTO_TEST_CASE(is_no_finite_number_where_particles_coincide) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace tests::near_field_test

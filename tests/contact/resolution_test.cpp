@@ -9,6 +9,8 @@
 
 #include "close.hpp"
 
+namespace tests::resolution_test {
+
 using boost::test_tools::tolerance;
 using particulate::contact::ConstantRestitution;
 using particulate::contact::ContactResolver;
@@ -19,9 +21,6 @@ using particulate::contact::Resolved;
 using particulate::contact::Restitution;
 using particulate::contact::Touch;
 using particulate::kinematics::Vectors;
-using tests::close;
-
-namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
@@ -134,8 +133,6 @@ void check_numbering(const Cluster& start, const ContactResolver<R, F>& law, dou
     BOOST_REQUIRE(close(back, first.velocity, {.relative = relative, .absolute = relative}));
   } while (std::next_permutation(number.begin(), number.end()));
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE(sequential)
 
@@ -445,3 +442,5 @@ BOOST_AUTO_TEST_CASE(keeps_the_momentum) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace tests::resolution_test

@@ -7,21 +7,18 @@
 
 #include "says.hpp"
 
+namespace tests::restitution_test {
+
 using boost::test_tools::tolerance;
 using particulate::contact::ConstantRestitution;
 using particulate::contact::Restitution;
 using particulate::contact::restitution_at;
 using particulate::contact::validate;
-using tests::says;
-
-namespace {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 const Restitution falling{.e_o = 0.5, .v_star = 10.0, .e_minus = 0.125};
-
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE(restitution_at_)
 
@@ -81,3 +78,5 @@ BOOST_AUTO_TEST_CASE(names_the_share_that_is_none) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace tests::restitution_test

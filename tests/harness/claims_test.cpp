@@ -12,12 +12,11 @@
 
 #include "says.hpp"
 
-using namespace verification;
-using tests::says;
+namespace tests::claims_test {
 
-namespace {
+using namespace verification;
+
 constexpr double nan_ = std::numeric_limits<double>::quiet_NaN();
-}
 
 BOOST_AUTO_TEST_SUITE(mixed_error_)
 
@@ -71,3 +70,5 @@ BOOST_AUTO_TEST_CASE(belongs_to_the_case_and_the_run_s_seed) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace tests::claims_test

@@ -8,11 +8,9 @@
 #include "harness/child.hpp"
 #include "scratch_folder.hpp"
 
-using particulate::report::write_whole;
-using tests::Ended;
-using tests::ScratchFolder;
+namespace tests::compare_rows_test {
 
-namespace {
+using particulate::report::write_whole;
 
 const std::string header = "chapter,case,quantity,expected,computed,error,metric,tolerance,verdict,run\n";
 
@@ -24,8 +22,6 @@ Ended compare(const std::string& before, const std::string& after) {
   }
   return tests::run("compare_rows", (folder.path() / "before").native() + " " + (folder.path() / "after").native());
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE(compare_rows)
 
@@ -98,3 +94,5 @@ BOOST_AUTO_TEST_CASE(ends_with_status_2_for_rows_of_another_kind) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace tests::compare_rows_test

@@ -2,6 +2,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+namespace tests::races_test {
+
 using namespace verification;
 
 BOOST_AUTO_TEST_SUITE(race_settings)
@@ -37,3 +39,5 @@ BOOST_AUTO_TEST_CASE(a_competitor_keeps_its_slope_and_its_mark) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace tests::races_test

@@ -6,10 +6,9 @@
 
 #include "says.hpp"
 
-using namespace verification;
-using tests::says;
+namespace tests::replay_test {
 
-namespace {
+using namespace verification;
 
 // A first-order problem that can do everything a problem may do.
 struct Able {
@@ -52,8 +51,6 @@ struct ByMotion {
 };
 
 const Eigen::VectorXd one = Eigen::VectorXd::Ones(2);
-
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE(replayed)
 
@@ -151,3 +148,5 @@ BOOST_AUTO_TEST_CASE(has_the_abilities_of_its_problem_and_no_others) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace tests::replay_test

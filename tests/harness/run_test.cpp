@@ -14,14 +14,11 @@
 #include "harness/child.hpp"
 #include "scratch_folder.hpp"
 
+namespace tests::run_test {
+
 using particulate::report::parse_csv;
 using particulate::report::read_whole;
 using particulate::report::write_whole;
-using tests::Ended;
-using tests::run;
-using tests::ScratchFolder;
-
-namespace {
 
 // A CSV file without the columns that differ from run to run.
 std::string without(const std::filesystem::path& file, const std::vector<std::string>& columns) {
@@ -36,8 +33,6 @@ std::string without(const std::filesystem::path& file, const std::vector<std::st
   }
   return text;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE(good_cases)
 
@@ -281,3 +276,5 @@ BOOST_AUTO_TEST_CASE(a_case_that_claims_nothing_ends_with_status_2) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace tests::run_test

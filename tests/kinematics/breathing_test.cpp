@@ -10,6 +10,8 @@
 
 #include "close.hpp"
 
+namespace tests::breathing_test {
+
 using boost::test_tools::tolerance;
 using particulate::kinematics::Breathing;
 using particulate::kinematics::breathing_body;
@@ -22,10 +24,6 @@ using particulate::kinematics::small_oscillation_period;
 using particulate::kinematics::strength;
 using particulate::kinematics::vector;
 using particulate::kinematics::Vectors;
-using tests::close;
-using tests::says;
-
-namespace {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double eps = std::numeric_limits<double>::epsilon();
@@ -49,8 +47,6 @@ double energy_defect(const RadialForce& force, double r_0, const Radial& at) {
 Eigen::VectorXd distances_from(const Vectors& corners, Eigen::Index i) {
   return (corners.rowwise() - corners.row(i)).rowwise().norm();
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE(breathing_pair_)
 
@@ -315,3 +311,5 @@ BOOST_AUTO_TEST_CASE(refuses_constants_that_do_not_breathe) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace tests::breathing_test

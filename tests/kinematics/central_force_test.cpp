@@ -9,6 +9,8 @@
 
 #include "close.hpp"
 
+namespace tests::central_force_test {
+
 using boost::test_tools::tolerance;
 using particulate::kinematics::CentralForce;
 using particulate::kinematics::equilibrium_distance;
@@ -22,10 +24,6 @@ using particulate::kinematics::small_oscillation_period;
 using particulate::kinematics::strength;
 using particulate::kinematics::transverse_stiffness;
 using particulate::kinematics::validate;
-using tests::close;
-using tests::says;
-
-namespace {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -41,8 +39,6 @@ double slope(const F& f, double x) {
   const double h = 1e-3;
   return (8.0 * (f(x + h) - f(x - h)) - (f(x + 2.0 * h) - f(x - 2.0 * h))) / (12.0 * h);
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE(validate_)
 
@@ -371,3 +367,5 @@ BOOST_AUTO_TEST_CASE(is_the_lighter_mass_beside_a_much_heavier_one) {
 BOOST_AUTO_TEST_CASE(does_not_overflow) { BOOST_TEST(reduced_mass(1e300, 1e300) == 5e299, tolerance(2.0 * eps)); }
 
 BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace tests::central_force_test

@@ -6,6 +6,8 @@
 
 #include "close.hpp"
 
+namespace tests::domain_test {
+
 using particulate::kinematics::Domain;
 using particulate::kinematics::HasWalls;
 using particulate::kinematics::height_above;
@@ -13,10 +15,6 @@ using particulate::kinematics::Open;
 using particulate::kinematics::validate;
 using particulate::kinematics::Wall;
 using particulate::kinematics::Walled;
-using tests::close;
-using tests::says;
-
-namespace {
 
 struct WithoutSeparation {};
 
@@ -30,8 +28,6 @@ static_assert(Domain<Open>);
 static_assert(Domain<Walled> && HasWalls<Walled> && !HasWalls<Open>);
 static_assert(!Domain<WithoutSeparation>, "a type is no domain without a separation");
 static_assert(!Domain<Coarse>, "a separation is a Vector3d");
-
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE(separation_)
 
@@ -101,3 +97,5 @@ BOOST_AUTO_TEST_CASE(names_the_wall_what_must_hold_and_what_was_given) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace tests::domain_test

@@ -5,20 +5,17 @@
 
 #include "close.hpp"
 
+namespace tests::energy_test {
+
 using particulate::kinematics::kinetic_energy;
 using particulate::kinematics::KineticEnergy;
 using particulate::kinematics::power_of;
 using particulate::kinematics::split_kinetic_energy;
 using particulate::kinematics::Vectors;
 using particulate::kinematics::work_between;
-using tests::says;
-
-namespace {
 
 const Eigen::Vector2d mass(1.0, 3.0);
 const Vectors velocity{{2.0, -1.0, 0.0}, {0.0, 1.0, 4.0}};
-
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE(kinetic_energy_)
 
@@ -110,3 +107,5 @@ BOOST_AUTO_TEST_CASE(converges_with_order_two) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace tests::energy_test

@@ -5,22 +5,18 @@
 
 #include "close.hpp"
 
+namespace tests::momentum_test {
+
 using particulate::kinematics::angular_momentum;
 using particulate::kinematics::centre_of_mass;
 using particulate::kinematics::impulse_between;
 using particulate::kinematics::linear_momentum;
 using particulate::kinematics::moment;
 using particulate::kinematics::Vectors;
-using tests::close;
-using tests::says;
-
-namespace {
 
 const Eigen::Vector2d mass(1.0, 3.0);
 const Vectors position{{1.0, 0.0, 2.0}, {0.0, -1.0, 0.0}};
 const Vectors velocity{{2.0, -1.0, 0.0}, {0.0, 1.0, 4.0}};
-
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE(linear_momentum_)
 
@@ -112,3 +108,5 @@ BOOST_AUTO_TEST_CASE(converges_to_the_integral_with_order_two) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace tests::momentum_test

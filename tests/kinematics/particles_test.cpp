@@ -6,6 +6,8 @@
 
 #include "close.hpp"
 
+namespace tests::particles_test {
+
 using particulate::kinematics::inverse_masses;
 using particulate::kinematics::Particles;
 using particulate::kinematics::relative_motion;
@@ -14,10 +16,6 @@ using particulate::kinematics::set_vector;
 using particulate::kinematics::validate;
 using particulate::kinematics::vector;
 using particulate::kinematics::Vectors;
-using tests::close;
-using tests::says;
-
-namespace {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -28,8 +26,6 @@ Particles two_particles() {
           .mass = Eigen::Vector2d(1.0, 2.0),
           .radius = Eigen::Vector2d(0.0, 0.5)};
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE(validate_)
 
@@ -162,3 +158,5 @@ BOOST_AUTO_TEST_CASE(turns_its_sign_when_the_particles_are_exchanged) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace tests::particles_test

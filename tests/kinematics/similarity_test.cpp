@@ -5,6 +5,8 @@
 
 #include "close.hpp"
 
+namespace tests::similarity_test {
+
 using particulate::kinematics::CentralForce;
 using particulate::kinematics::Dimensional;
 using particulate::kinematics::Particles;
@@ -15,10 +17,6 @@ using particulate::kinematics::SimilarityGroups;
 using particulate::kinematics::strength;
 using particulate::kinematics::validate;
 using particulate::kinematics::Vectors;
-using tests::close;
-using tests::says;
-
-namespace {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -45,8 +43,6 @@ void same(const SimilarityGroups& a, const SimilarityGroups& b, double tolerance
   BOOST_TEST(a.radius == b.radius, boost::test_tools::tolerance(tolerance));
   BOOST_TEST(a.step == b.step, boost::test_tools::tolerance(tolerance));
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE(validate_)
 
@@ -141,3 +137,5 @@ BOOST_AUTO_TEST_CASE(refuses_scales_that_are_none) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace tests::similarity_test

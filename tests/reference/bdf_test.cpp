@@ -10,6 +10,8 @@
 
 #include "close.hpp"
 
+namespace tests::bdf_test {
+
 using particulate::reference::Adams;
 using particulate::reference::BandedJacobian;
 using particulate::reference::Bdf;
@@ -25,10 +27,6 @@ using particulate::schemes::Out;
 using particulate::schemes::Outcome;
 using particulate::schemes::Status;
 using particulate::schemes::Values;
-using tests::close;
-using tests::says;
-
-namespace {
 
 constexpr double pi = std::numbers::pi;
 
@@ -96,8 +94,6 @@ struct Conveyor {
     return true;
   }
 };
-
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE(bdf)
 
@@ -362,3 +358,5 @@ BOOST_AUTO_TEST_CASE(a_band_as_wide_as_the_problem_is_refused) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace tests::bdf_test

@@ -12,6 +12,8 @@
 
 #include "close.hpp"
 
+namespace tests::events_test {
+
 using particulate::reference::Adams;
 using particulate::reference::Direction;
 using particulate::reference::Events;
@@ -24,9 +26,6 @@ using particulate::schemes::Out;
 using particulate::schemes::Outcome;
 using particulate::schemes::Status;
 using particulate::schemes::Values;
-using tests::says;
-
-namespace {
 
 constexpr double pi = std::numbers::pi;
 const double not_a_number = std::numeric_limits<double>::quiet_NaN();
@@ -73,8 +72,6 @@ void meets(const std::vector<double>& times, const std::vector<double>& expected
     BOOST_TEST(times[k] == expected[k], boost::test_tools::tolerance(1e-11));
   }
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE(events)
 
@@ -271,3 +268,5 @@ BOOST_AUTO_TEST_CASE(a_method_that_finds_no_events_refuses_them) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace tests::events_test

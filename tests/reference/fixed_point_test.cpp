@@ -9,16 +9,14 @@
 
 #include "close.hpp"
 
+namespace tests::fixed_point_test {
+
 using particulate::reference::FixedPoint;
 using particulate::reference::FixedPointSettings;
 using particulate::reference::Map;
 using particulate::reference::solve_fixed_point;
 using particulate::schemes::In;
 using particulate::schemes::Out;
-using tests::close;
-using tests::says;
-
-namespace {
 
 const double not_a_number = std::numeric_limits<double>::quiet_NaN();
 const double infinity = std::numeric_limits<double>::infinity();
@@ -40,8 +38,6 @@ bool chain(In x, Out g) {
   }
   return true;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE(solve_fixed_point_)
 
@@ -221,3 +217,5 @@ BOOST_AUTO_TEST_CASE(a_bad_setting_or_start_is_refused) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace tests::fixed_point_test

@@ -10,6 +10,8 @@
 
 #include "close.hpp"
 
+namespace tests::implicit_explicit_test {
+
 using particulate::reference::additive_tables;
 using particulate::reference::AdditiveTable;
 using particulate::reference::ImplicitExplicit;
@@ -24,10 +26,6 @@ using particulate::schemes::Out;
 using particulate::schemes::Outcome;
 using particulate::schemes::Status;
 using particulate::schemes::Values;
-using tests::close;
-using tests::says;
-
-namespace {
 
 bool holds(const std::string& text, const std::string& words) { return text.find(words) != std::string::npos; }
 
@@ -106,8 +104,6 @@ void drains() {
   BOOST_TEST(out.evaluations == integrator.evaluations_by_sundials());
   BOOST_TEST(std::abs(state.y[0] - 1e-8) < 1e-6);
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE(implicit_explicit)
 
@@ -381,3 +377,5 @@ BOOST_AUTO_TEST_CASE(a_problem_that_does_not_split_is_refused) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace tests::implicit_explicit_test

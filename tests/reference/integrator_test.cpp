@@ -24,6 +24,8 @@
 
 #include "close.hpp"
 
+namespace tests::integrator_test {
+
 using particulate::reference::Adams;
 using particulate::reference::Bdf;
 using particulate::reference::embedded_order;
@@ -43,10 +45,6 @@ using particulate::schemes::Out;
 using particulate::schemes::Outcome;
 using particulate::schemes::Status;
 using particulate::schemes::Values;
-using tests::close;
-using tests::says;
-
-namespace {
 
 constexpr double pi = std::numbers::pi;
 
@@ -132,8 +130,6 @@ struct Walled {
     return y[0] <= 1.0;
   }
 };
-
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE(integrate_)
 
@@ -732,3 +728,5 @@ BOOST_AUTO_TEST_CASE(a_state_that_changed_its_length_is_refused) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace tests::integrator_test

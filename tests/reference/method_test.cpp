@@ -9,6 +9,8 @@
 
 #include "close.hpp"
 
+namespace tests::method_test {
+
 using particulate::reference::Adams;
 using particulate::reference::additive_tables;
 using particulate::reference::AdditiveTable;
@@ -23,14 +25,9 @@ using particulate::reference::Table;
 using particulate::reference::table_named;
 using particulate::reference::tables;
 using particulate::reference::validate;
-using tests::says;
-
-namespace {
 
 const double not_a_number = std::numeric_limits<double>::quiet_NaN();
 const double infinity = std::numeric_limits<double>::infinity();
-
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE(table_named_)
 
@@ -209,3 +206,5 @@ BOOST_AUTO_TEST_CASE(refuses_numbers_out_of_range) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace tests::method_test

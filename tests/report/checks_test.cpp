@@ -4,6 +4,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+namespace tests::checks_test {
+
 using particulate::report::Checks;
 
 BOOST_AUTO_TEST_SUITE(checks_)
@@ -31,3 +33,5 @@ BOOST_AUTO_TEST_CASE(a_nan_fails) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace tests::checks_test

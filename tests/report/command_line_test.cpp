@@ -13,11 +13,9 @@
 #include "says.hpp"
 #include "scratch_folder.hpp"
 
-using namespace particulate::report;
-using tests::says;
-using tests::ScratchFolder;
+namespace tests::command_line_test {
 
-namespace {
+using namespace particulate::report;
 
 constexpr double inf = std::numeric_limits<double>::infinity();
 
@@ -65,8 +63,6 @@ struct Tried {
     return refuses({"--config", (folder.path() / "p.toml").native()}, message);
   }
 };
-
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE(command_line_parse)
 
@@ -315,3 +311,5 @@ BOOST_AUTO_TEST_CASE(turns_an_exception_into_status_2_and_passes_a_status_on) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace tests::command_line_test

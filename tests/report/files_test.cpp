@@ -12,11 +12,9 @@
 #include "says.hpp"
 #include "scratch_folder.hpp"
 
-using namespace particulate::report;
-using tests::says;
-using tests::ScratchFolder;
+namespace tests::files_test {
 
-namespace {
+using namespace particulate::report;
 
 // No file may grow beyond the limit while this lives: how a full disk looks to a program, root included.
 class FullDisk {
@@ -37,8 +35,6 @@ class FullDisk {
   void (*handler_)(int);
   rlimit old_{};
 };
-
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE(write_whole_)
 
@@ -118,3 +114,5 @@ BOOST_AUTO_TEST_CASE(refuses_a_folder_that_takes_no_bytes) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace tests::files_test

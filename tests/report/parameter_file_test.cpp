@@ -9,19 +9,15 @@
 #include "says.hpp"
 #include "scratch_folder.hpp"
 
-using namespace particulate::report;
-using tests::says;
-using tests::ScratchFolder;
+namespace tests::parameter_file_test {
 
-namespace {
+using namespace particulate::report;
 
 std::vector<Setting> read(const std::string& content) {
   const ScratchFolder folder;
   write_whole(folder.path() / "p.toml", content);
   return read_parameter_file(folder.path() / "p.toml");
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE(read_parameter_file_)
 
@@ -67,3 +63,5 @@ BOOST_AUTO_TEST_CASE(is_a_float_to_toml_and_exact) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace tests::parameter_file_test

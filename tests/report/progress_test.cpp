@@ -9,10 +9,9 @@
 
 #include "says.hpp"
 
-using namespace particulate::report;
-using tests::says;
+namespace tests::progress_test {
 
-namespace {
+using namespace particulate::report;
 
 const std::string clear_line = "\r\x1b[K";
 
@@ -26,8 +25,6 @@ struct Watched {
             .now = [this] { return time; }};
   }
 };
-
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE(progress)
 
@@ -110,3 +107,5 @@ BOOST_AUTO_TEST_CASE(refuses_a_total_of_nothing) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace tests::progress_test

@@ -7,13 +7,12 @@
 
 #include "says.hpp"
 
-using namespace particulate::report;
-using tests::says;
+namespace tests::range_test {
 
-namespace {
+using namespace particulate::report;
+
 constexpr double inf = std::numeric_limits<double>::infinity();
 constexpr double nan_ = std::numeric_limits<double>::quiet_NaN();
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE(range_holds)
 
@@ -68,3 +67,5 @@ BOOST_AUTO_TEST_CASE(an_empty_range_cannot_be_made) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace tests::range_test

@@ -2,11 +2,11 @@
 
 #include <boost/test/unit_test.hpp>
 
+namespace tests::spelling_test {
+
 using namespace particulate::report;
 
-namespace {
 const std::vector<std::string> known{"breathing_pair", "small_oscillation", "similarity", "curl"};
-}
 
 BOOST_AUTO_TEST_SUITE(near_matches_)
 
@@ -43,3 +43,5 @@ BOOST_AUTO_TEST_CASE(joins_words_as_one_would_say_them) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace tests::spelling_test

@@ -9,8 +9,9 @@
 
 #include "scratch_folder.hpp"
 
+namespace tests::stamp_test {
+
 using namespace particulate::report;
-using tests::ScratchFolder;
 
 BOOST_AUTO_TEST_SUITE(make_stamp_)
 
@@ -58,3 +59,5 @@ BOOST_AUTO_TEST_CASE(fits_one_line) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace tests::stamp_test

@@ -12,11 +12,9 @@
 #include "says.hpp"
 #include "scratch_folder.hpp"
 
-using namespace particulate::report;
-using tests::says;
-using tests::ScratchFolder;
+namespace tests::table_test {
 
-namespace {
+using namespace particulate::report;
 
 constexpr double inf = std::numeric_limits<double>::infinity();
 constexpr double nan_ = std::numeric_limits<double>::quiet_NaN();
@@ -27,8 +25,6 @@ Table example() {
   table.add({-0.0, 3L, "longer"});
   return table;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE(table_add)
 
@@ -174,3 +170,5 @@ BOOST_AUTO_TEST_CASE(refuses_a_name_that_leads_elsewhere) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace tests::table_test

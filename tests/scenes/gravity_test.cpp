@@ -7,6 +7,8 @@
 
 #include "close.hpp"
 
+namespace tests::gravity_test {
+
 using particulate::contact::Conservative;
 using particulate::contact::PositionForce;
 using particulate::kinematics::Open;
@@ -18,10 +20,6 @@ using particulate::scenes::Scene;
 using particulate::scenes::start;
 using particulate::scenes::validate;
 using particulate::schemes::Motion;
-using tests::close;
-using tests::says;
-
-namespace {
 
 static_assert(PositionForce<Gravity, Open> && Conservative<Gravity, Open>);
 static_assert(PositionForce<Gravity, Walled> && Conservative<Gravity, Walled>);
@@ -32,8 +30,6 @@ Particles two_particles() {
           .mass = Eigen::Vector2d(2.0, 4.0),
           .radius = Eigen::Vector2d(0.5, 0.5)};
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE(validate_)
 
@@ -108,3 +104,5 @@ BOOST_AUTO_TEST_CASE(falls_by_the_work_of_the_force) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace tests::gravity_test

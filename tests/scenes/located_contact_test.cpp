@@ -13,6 +13,8 @@
 #include "close.hpp"
 #include "schemes/exact_fall.hpp"
 
+namespace tests::located_contact_test {
+
 using boost::test_tools::tolerance;
 using particulate::contact::ConstantRestitution;
 using particulate::contact::Contact;
@@ -38,11 +40,6 @@ using particulate::schemes::Outcome;
 using particulate::schemes::Status;
 using particulate::schemes::StepPath;
 using particulate::schemes::Watch;
-using tests::close;
-using tests::ExactFall;
-using tests::says;
-
-namespace {
 
 using Path = StepPath<ExactFall, Motion>;
 using Bouncing = Scene<Walled, Gravity, LocatedContact<>>;
@@ -81,8 +78,6 @@ Vectors velocities(const S& scene, double t_end, double dt) {
   BOOST_TEST((integrate(scene, state, t_end, scheme, control).status == Status::reached));
   return state.v.reshaped(state.v.size() / 3, 3);
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE(located_contact)
 
@@ -233,3 +228,5 @@ BOOST_AUTO_TEST_CASE(does_nothing_without_particles) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace tests::located_contact_test

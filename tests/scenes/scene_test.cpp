@@ -14,6 +14,8 @@
 
 #include "close.hpp"
 
+namespace tests::scene_test {
+
 using boost::test_tools::tolerance;
 using particulate::contact::ConstantRestitution;
 using particulate::contact::Contact;
@@ -45,10 +47,6 @@ using particulate::schemes::Outcome;
 using particulate::schemes::PositionProblem;
 using particulate::schemes::Status;
 using particulate::schemes::VelocityVerlet;
-using tests::close;
-using tests::says;
-
-namespace {
 
 // A uniform field along -z that grows with time; its potential is that of the moment.
 struct Weight {
@@ -141,8 +139,6 @@ Eigen::VectorXd total_force(const S& scene) {
   BOOST_TEST(scene.total_force(start(scene), f));
   return f;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE(Scene_)
 
@@ -527,3 +523,5 @@ BOOST_AUTO_TEST_CASE(gains_no_energy_in_a_resting_contact) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace tests::scene_test

@@ -7,6 +7,8 @@
 
 #include "close.hpp"
 
+namespace tests::collocation_table_test {
+
 using particulate::schemes::collocation_coefficients;
 using particulate::schemes::CollocationCoefficients;
 using particulate::schemes::CollocationTable;
@@ -14,10 +16,6 @@ using particulate::schemes::Gauss;
 using particulate::schemes::gauss_nodes;
 using particulate::schemes::Radau;
 using particulate::schemes::radau_nodes;
-using tests::close;
-using tests::says;
-
-namespace {
 
 // By how much sum_j weights_j c_j^(k-1) misses upto^k/k, the integral of x^(k-1), for k up to `order`.
 double defect(const Eigen::VectorXd& weights, const Eigen::VectorXd& c, double upto, int order) {
@@ -30,8 +28,6 @@ double defect(const Eigen::VectorXd& weights, const Eigen::VectorXd& c, double u
 }
 
 constexpr double rounding = 4e-16;
-
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE(gauss_nodes_)
 
@@ -178,3 +174,5 @@ BOOST_AUTO_TEST_CASE(knows_the_leading_coefficient) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace tests::collocation_table_test

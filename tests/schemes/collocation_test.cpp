@@ -11,6 +11,8 @@
 
 #include "close.hpp"
 
+namespace tests::collocation_test {
+
 using particulate::schemes::BackwardEuler;
 using particulate::schemes::Collocation;
 using particulate::schemes::CollocationSettings;
@@ -34,10 +36,6 @@ using particulate::schemes::Radau;
 using particulate::schemes::Truncation;
 using particulate::schemes::validate;
 using particulate::schemes::Values;
-using tests::close;
-using tests::says;
-
-namespace {
 
 using Gauss3 = Collocation<Gauss<3>>;
 using Stiff = Collocation<Radau<3>, Newton<>>;
@@ -93,8 +91,6 @@ Truncation estimated(S scheme, P problem, const State& from, double dt) {
   for (int k = 0; k < 60; ++k) scheme.sweep(problem, from, dt, to);
   return scheme.truncation(problem, from, dt, to);
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE(Collocation_)
 
@@ -272,3 +268,5 @@ BOOST_AUTO_TEST_CASE(names_the_size_and_what_was_given) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace tests::collocation_test

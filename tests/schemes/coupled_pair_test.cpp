@@ -2,6 +2,8 @@
 
 #include "close.hpp"
 
+namespace tests::coupled_pair_test {
+
 using particulate::schemes::FirstOrderPair;
 using particulate::schemes::FirstOrderProblem;
 using particulate::schemes::HasJacobian;
@@ -9,9 +11,6 @@ using particulate::schemes::MeasuresFields;
 using particulate::schemes::SecondOrderPair;
 using particulate::schemes::StaggeredProblem;
 using particulate::schemes::Values;
-using tests::close;
-
-namespace {
 
 static_assert(FirstOrderProblem<FirstOrderPair> && HasJacobian<FirstOrderPair> &&
               StaggeredProblem<FirstOrderPair, Values> && !MeasuresFields<FirstOrderPair>);
@@ -20,8 +19,6 @@ static_assert(FirstOrderProblem<SecondOrderPair> && StaggeredProblem<SecondOrder
 
 const FirstOrderPair first{.a = (Eigen::Matrix2d() << 1.0, 2.0, 4.0, 3.0).finished()};
 const SecondOrderPair second{.c12 = 2.0, .c21 = 4.0};
-
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE(FirstOrderPair_)
 
@@ -86,3 +83,5 @@ BOOST_AUTO_TEST_CASE(measures_values_and_not_their_rates) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace tests::coupled_pair_test

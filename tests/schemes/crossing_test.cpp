@@ -7,6 +7,8 @@
 
 #include "close.hpp"
 
+namespace tests::crossing_test {
+
 using boost::test_tools::tolerance;
 using particulate::schemes::Along;
 using particulate::schemes::bracketed_root;
@@ -16,8 +18,6 @@ using particulate::schemes::Direction;
 using particulate::schemes::first_crossing;
 using particulate::schemes::Sample;
 using particulate::schemes::ZeroRules;
-
-namespace {
 
 using Function = std::function<double(double)>;
 
@@ -63,8 +63,6 @@ struct Parabola {
 Found find(const Parabola& parabola, const ZeroRules& rules, int side, int parts) {
   return find(parabola.value(), parabola.slope(), rules, side, parts);
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE(chebyshev_points_)
 
@@ -239,3 +237,5 @@ BOOST_AUTO_TEST_CASE(reaches_zero_where_a_sample_does) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace tests::crossing_test

@@ -6,6 +6,8 @@
 
 #include "close.hpp"
 
+namespace tests::error_control_test {
+
 using boost::test_tools::tolerance;
 using particulate::schemes::Controller;
 using particulate::schemes::Decision;
@@ -14,11 +16,8 @@ using particulate::schemes::Failure;
 using particulate::schemes::Iteration;
 using particulate::schemes::Truncation;
 using particulate::schemes::validate;
-using tests::says;
 
 static_assert(Controller<ErrorControl>);
-
-namespace {
 
 ErrorControl control() {
   return {.TOL = 1e-6, .sweep_TOL = 1e-4, .K_d = 2, .step = 0.5, .limit = 2.0, .smallest = 1e-3};
@@ -31,8 +30,6 @@ Iteration contracting(double factor) {
 
 // Sweeps that found their fixed point at once, so that the estimate alone decides.
 const Iteration solved{.w_0 = 1e-2, .w_K = 0.0, .K = 2};
-
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE(ErrorControl_)
 
@@ -188,3 +185,5 @@ BOOST_AUTO_TEST_CASE(names_the_bound_and_what_was_given) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace tests::error_control_test

@@ -4,14 +4,14 @@
 
 #include "close.hpp"
 
+namespace tests::euler_test {
+
 using particulate::schemes::ForwardEuler;
 using particulate::schemes::In;
 using particulate::schemes::Motion;
 using particulate::schemes::Out;
 using particulate::schemes::Scheme;
 using particulate::schemes::Values;
-
-namespace {
 
 // No value before t = 0.
 struct Damped {
@@ -28,8 +28,6 @@ struct Decay {
 };
 
 static_assert(Scheme<ForwardEuler, Damped, Motion> && Scheme<ForwardEuler, Decay, Values>);
-
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE(ForwardEuler_)
 
@@ -65,3 +63,5 @@ BOOST_AUTO_TEST_CASE(says_that_there_is_no_value) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace tests::euler_test

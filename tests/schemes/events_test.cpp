@@ -15,6 +15,8 @@
 #include "close.hpp"
 #include "exact_fall.hpp"
 
+namespace tests::events_test {
+
 using boost::test_tools::tolerance;
 using particulate::schemes::Action;
 using particulate::schemes::Attempt;
@@ -38,11 +40,6 @@ using particulate::schemes::validate;
 using particulate::schemes::Values;
 using particulate::schemes::Watch;
 using particulate::schemes::WatchSettings;
-using tests::ExactFall;
-using tests::ExactSine;
-using tests::says;
-
-namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
@@ -137,8 +134,6 @@ struct Halving {
   }
 };
 void validate(const Halving&) {}
-
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE(validate_)
 
@@ -600,3 +595,5 @@ BOOST_AUTO_TEST_CASE(that_accumulate_are_counted_as_a_watch_says) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace tests::events_test

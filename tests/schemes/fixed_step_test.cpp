@@ -5,13 +5,14 @@
 
 #include "close.hpp"
 
+namespace tests::fixed_step_test {
+
 using particulate::schemes::Attempt;
 using particulate::schemes::Controller;
 using particulate::schemes::Decision;
 using particulate::schemes::FixedStep;
 using particulate::schemes::Iteration;
 using particulate::schemes::validate;
-using tests::says;
 
 static_assert(Controller<FixedStep>);
 
@@ -73,3 +74,5 @@ BOOST_AUTO_TEST_CASE(names_the_step_and_what_was_given) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace tests::fixed_step_test

@@ -5,12 +5,13 @@
 
 #include "close.hpp"
 
+namespace tests::fixed_sweeps_test {
+
 using particulate::schemes::Controller;
 using particulate::schemes::Decision;
 using particulate::schemes::Failure;
 using particulate::schemes::FixedSweeps;
 using particulate::schemes::validate;
-using tests::says;
 
 static_assert(Controller<FixedSweeps>);
 
@@ -64,3 +65,5 @@ BOOST_AUTO_TEST_CASE(names_step_or_sweeps_and_what_was_given) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace tests::fixed_sweeps_test

@@ -15,6 +15,8 @@
 
 #include "close.hpp"
 
+namespace tests::integrate_test {
+
 using boost::test_tools::tolerance;
 using particulate::schemes::Attempt;
 using particulate::schemes::attempt;
@@ -38,10 +40,6 @@ using particulate::schemes::step_towards_end;
 using particulate::schemes::validate_run;
 using particulate::schemes::Values;
 using particulate::schemes::VelocityVerlet;
-using tests::close;
-using tests::says;
-
-namespace {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -151,8 +149,6 @@ struct Sweeping {
 
 Motion displaced() { return {0.0, Eigen::VectorXd::Ones(1), Eigen::VectorXd::Zero(1)}; }
 Values one(double t = 0.0) { return {t, Eigen::VectorXd::Ones(1)}; }
-
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE(validate_run_)
 
@@ -607,3 +603,5 @@ BOOST_AUTO_TEST_CASE(fails_where_a_jump_is_not_settled_and_leaves_the_state_befo
 }
 
 BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace tests::integrate_test

@@ -5,6 +5,8 @@
 
 #include "close.hpp"
 
+namespace tests::iteration_test {
+
 using boost::test_tools::tolerance;
 using particulate::schemes::at_rounding;
 using particulate::schemes::Attempt;
@@ -15,8 +17,6 @@ using particulate::schemes::IterationMeasure;
 using particulate::schemes::phi_K;
 using particulate::schemes::shows_contraction;
 using particulate::schemes::unmet;
-
-namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -33,8 +33,6 @@ IterationMeasure three_sweeps() {
 Attempt attempt_with(const Iteration& it) { return {.dt = 0.5, .iteration = it}; }
 
 bool contains(const std::string& text, const std::string& words) { return text.find(words) != std::string::npos; }
-
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE(IterationMeasure_)
 
@@ -223,3 +221,5 @@ BOOST_AUTO_TEST_CASE(says_that_a_tolerance_is_below_rounding) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace tests::iteration_test

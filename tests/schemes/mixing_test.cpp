@@ -4,12 +4,10 @@
 
 #include "close.hpp"
 
+namespace tests::mixing_test {
+
 using particulate::schemes::Anderson;
 using particulate::schemes::Picard;
-using tests::close;
-using tests::says;
-
-namespace {
 
 // x = M x + c with M = diag(2, -3, 0.5): no contraction. The fixed point is (-1, 1/4, 2).
 const Eigen::Vector3d slopes(2.0, -3.0, 0.5), constant(1.0, 1.0, 1.0), fixed_point(-1.0, 0.25, 2.0);
@@ -23,8 +21,6 @@ Eigen::VectorXd after(Mixing mixing, int sweeps) {
   }
   return x;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE(Picard_)
 
@@ -82,3 +78,5 @@ BOOST_AUTO_TEST_CASE(refuses_to_mix_nothing_in) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace tests::mixing_test

@@ -7,6 +7,8 @@
 
 #include "close.hpp"
 
+namespace tests::newton_test {
+
 using particulate::schemes::Bandwidth;
 using particulate::schemes::Counted;
 using particulate::schemes::DenseStages;
@@ -18,9 +20,6 @@ using particulate::schemes::Out;
 using particulate::schemes::SparseStages;
 using particulate::schemes::StageEquations;
 using particulate::schemes::Values;
-using tests::close;
-
-namespace {
 
 // Each value sees its neighbours: dy_i = y_{i-1} - 3 y_i + 2 y_{i+1}.
 struct Chain {
@@ -52,8 +51,6 @@ struct Linear {
 
 const Eigen::VectorXd one = Eigen::VectorXd::Ones(1);
 const Eigen::MatrixXd backward_euler = Eigen::MatrixXd::Ones(1, 1);
-
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE(difference_step_)
 
@@ -153,3 +150,5 @@ BOOST_AUTO_TEST_CASE(has_no_system_where_the_jacobian_is_not_finite) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace tests::newton_test

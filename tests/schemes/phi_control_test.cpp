@@ -6,6 +6,8 @@
 
 #include "close.hpp"
 
+namespace tests::phi_control_test {
+
 using boost::test_tools::tolerance;
 using particulate::schemes::Attempt;
 using particulate::schemes::Controller;
@@ -14,11 +16,8 @@ using particulate::schemes::Failure;
 using particulate::schemes::Iteration;
 using particulate::schemes::PhiControl;
 using particulate::schemes::validate;
-using tests::says;
 
 static_assert(Controller<PhiControl>);
-
-namespace {
 
 PhiControl control() { return {.TOL = 1e-4, .K_d = 2, .step = 0.5, .limit = 0.75, .smallest = 1e-3}; }
 
@@ -26,8 +25,6 @@ PhiControl control() { return {.TOL = 1e-4, .K_d = 2, .step = 0.5, .limit = 0.75
 Iteration contracting(double factor) {
   return {.w_0 = 1e-2, .w_K = 1e-2 * factor * factor, .rate = factor, .K = 2, .p = 2};
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE(PhiControl_)
 
@@ -148,3 +145,5 @@ BOOST_AUTO_TEST_CASE(names_the_setting_and_what_was_given) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace tests::phi_control_test

@@ -10,6 +10,8 @@
 #include "close.hpp"
 #include "order.hpp"
 
+namespace tests::phi_family_test {
+
 using boost::test_tools::tolerance;
 using particulate::schemes::Anderson;
 using particulate::schemes::BackwardEuler;
@@ -25,11 +27,6 @@ using particulate::schemes::Outcome;
 using particulate::schemes::PhiFamily;
 using particulate::schemes::Picard;
 using particulate::schemes::Values;
-using tests::close;
-using tests::observed_order;
-using tests::says;
-
-namespace {
 
 struct Spring {
   double stiffness = 1.0;
@@ -89,8 +86,6 @@ double error_of_driven(S scheme, int steps) {
   BOOST_REQUIRE(integrate(problem, state, 1.3, scheme, control).steps == steps);
   return std::abs(state.y[0] - std::sin(1.3));
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE(PhiFamily_)
 
@@ -249,3 +244,5 @@ BOOST_AUTO_TEST_CASE(refuses_a_weight_that_is_none) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace tests::phi_family_test

@@ -6,6 +6,8 @@
 
 #include "close.hpp"
 
+namespace tests::problem_test {
+
 using particulate::schemes::Banded;
 using particulate::schemes::Bandwidth;
 using particulate::schemes::Counted;
@@ -28,9 +30,6 @@ using particulate::schemes::SecondOrderProblem;
 using particulate::schemes::Splits;
 using particulate::schemes::StaggeredProblem;
 using particulate::schemes::Values;
-using tests::close;
-
-namespace {
 
 using Path = double (*)(double, const Motion&);
 using Sparse = Eigen::SparseMatrix<double>;
@@ -126,8 +125,6 @@ static_assert(MotionProblem<Counted<Counted<Damped>>>);
 static_assert(FirstOrderProblem<FirstOrderForm<Damped>> && FirstOrderProblem<FirstOrderForm<EverySecondOrderAbility>>);
 
 const Eigen::Vector2d x(3.0, -4.0), y(0.0, 0.0);
-
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE(distance_)
 
@@ -269,3 +266,5 @@ BOOST_AUTO_TEST_CASE(passes_on_that_there_is_no_value) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace tests::problem_test

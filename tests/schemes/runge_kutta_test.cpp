@@ -9,6 +9,8 @@
 #include "close.hpp"
 #include "order.hpp"
 
+namespace tests::runge_kutta_test {
+
 using boost::test_tools::tolerance;
 using particulate::schemes::acceleration_of;
 using particulate::schemes::FixedStep;
@@ -20,10 +22,6 @@ using particulate::schemes::Outcome;
 using particulate::schemes::RungeKutta4;
 using particulate::schemes::Status;
 using particulate::schemes::Values;
-using tests::close;
-using tests::observed_order;
-
-namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
@@ -110,8 +108,6 @@ double order_on(const P& problem) {
 }
 
 Motion still() { return {0.0, Eigen::VectorXd::Zero(1), Eigen::VectorXd::Zero(1)}; }
-
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE(acceleration_of_)
 
@@ -252,3 +248,5 @@ BOOST_AUTO_TEST_CASE(is_stable_on_an_oscillator_up_to_its_limit_only) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace tests::runge_kutta_test

@@ -9,6 +9,8 @@
 
 #include "close.hpp"
 
+namespace tests::scheme_test {
+
 using particulate::schemes::Controller;
 using particulate::schemes::Decision;
 using particulate::schemes::Dense;
@@ -23,8 +25,6 @@ using particulate::schemes::Scheme;
 using particulate::schemes::Status;
 using particulate::schemes::Values;
 using particulate::schemes::VelocityVerlet;
-
-namespace {
 
 struct Spring {
   bool acceleration(double, In r, Out a) const {
@@ -73,8 +73,6 @@ struct WithoutValidation {
 static_assert(Controller<particulate::schemes::FixedStep>);
 static_assert(!Controller<WithoutValidation>, "a controller is checked when a run starts");
 
-}  // namespace
-
 BOOST_AUTO_TEST_SUITE(Outcome_)
 
 BOOST_AUTO_TEST_CASE(of_a_run_that_did_nothing_counts_nothing) {
@@ -105,3 +103,5 @@ BOOST_AUTO_TEST_CASE(has_no_truncation_error_unless_the_scheme_gives_one) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace tests::scheme_test

@@ -7,15 +7,14 @@
 
 #include "close.hpp"
 
+namespace tests::stage_solver_test {
+
 using particulate::schemes::collocation_coefficients;
 using particulate::schemes::DenseStages;
 using particulate::schemes::gauss_nodes;
 using particulate::schemes::radau_nodes;
 using particulate::schemes::SparseStages;
 using particulate::schemes::StageEigenvalues;
-using tests::close;
-
-namespace {
 
 StageEigenvalues gauss(int s) { return StageEigenvalues(collocation_coefficients(gauss_nodes(s)).A); }
 
@@ -30,8 +29,6 @@ double solved(double h, double J, double K) {
   stages.factorize(one, h, velocities, places);
   return stages.solve(0, Eigen::VectorXcd::Ones(1))[0].real();
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE(StageEigenvalues_)
 
@@ -105,3 +102,5 @@ BOOST_AUTO_TEST_CASE(give_nothing_finite_where_a_system_is_singular) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace tests::stage_solver_test

@@ -11,6 +11,8 @@
 
 #include "close.hpp"
 
+namespace tests::staggering_test {
+
 using boost::test_tools::tolerance;
 using particulate::schemes::Aitken;
 using particulate::schemes::Field;
@@ -25,10 +27,6 @@ using particulate::schemes::Seen;
 using particulate::schemes::Staggered;
 using particulate::schemes::Staggers;
 using particulate::schemes::Values;
-using tests::close;
-using tests::says;
-
-namespace {
 
 static_assert(Iterative<Staggered, FirstOrderPair, Values> && Staggers<Staggered>);
 
@@ -48,8 +46,6 @@ Outcome stepped(Staggered scheme, FirstOrderPair problem, double dt, Values& sta
   FixedStep control{.step = dt, .TOL = 1.0, .contractions = 200};
   return integrate(problem, state, dt, scheme, control);
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE(Aitken_)
 
@@ -182,3 +178,5 @@ BOOST_AUTO_TEST_CASE(refuses_settings_that_cannot_be_meant) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace tests::staggering_test

@@ -6,15 +6,14 @@
 
 #include "says.hpp"
 
+namespace tests::step_settings_test {
+
 using particulate::schemes::Decision;
 using particulate::schemes::Failure;
 using particulate::schemes::detail::retried;
 using particulate::schemes::detail::StepSettings;
 using particulate::schemes::detail::validate;
 using particulate::schemes::detail::validate_step;
-using tests::says;
-
-namespace {
 
 constexpr StepSettings good{.step = 0.5, .limit = 1.0, .smallest = 0.0, .growth = 2.0, .retry = 0.9, .shrink = 0.1};
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
@@ -27,8 +26,6 @@ void refuses(double StepSettings::*setting, std::initializer_list<double> bad, c
     BOOST_CHECK_EXCEPTION(validate("a control", settings), std::invalid_argument, says(words));
   }
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE(validate_)
 
@@ -74,3 +71,5 @@ BOOST_AUTO_TEST_CASE(gives_up_below_the_smallest_step_and_where_rounding_rules) 
 }
 
 BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace tests::step_settings_test

@@ -8,6 +8,8 @@
 #include "close.hpp"
 #include "order.hpp"
 
+namespace tests::verlet_test {
+
 using boost::test_tools::tolerance;
 using particulate::schemes::Counted;
 using particulate::schemes::FixedStep;
@@ -17,10 +19,6 @@ using particulate::schemes::Motion;
 using particulate::schemes::Out;
 using particulate::schemes::Outcome;
 using particulate::schemes::VelocityVerlet;
-using tests::close;
-using tests::observed_order;
-
-namespace {
 
 struct Spring {
   double stiffness = 1.0;
@@ -78,8 +76,6 @@ void steps_as_if_new(VelocityVerlet scheme, P& problem, const Motion& from) {
   VelocityVerlet fresh;
   same_bits(stepped(scheme, problem, from, 0.25), stepped(fresh, problem, from, 0.25));
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE(VelocityVerlet_)
 
@@ -245,3 +241,5 @@ BOOST_AUTO_TEST_CASE(continues_from_a_copy_to_the_same_bits) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace tests::verlet_test

@@ -8,10 +8,9 @@
 #include "breathing.hpp"
 #include "references.hpp"
 
-namespace {
+namespace verification::breathing_masses {
 
 using namespace particulate;
-using namespace verification;
 
 // alpha is chosen so that alpha1 (m_i + m_j) is the same 4 for every pair: A = 4, B = 2, a = 2/3 and T = 2 pi
 // sqrt(2/27).
@@ -64,4 +63,4 @@ const Case breathing_masses{
       for (const Pair& pair : pairs) compare(rows, pair);
     }};
 
-}  // namespace
+}  // namespace verification::breathing_masses

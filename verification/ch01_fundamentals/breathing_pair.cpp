@@ -10,10 +10,9 @@
 #include "breathing.hpp"
 #include "references.hpp"
 
-namespace {
+namespace verification::breathing_pair {
 
 using namespace particulate;
-using namespace verification;
 using Digits50 = boost::multiprecision::cpp_bin_float_50;
 
 // The table of the catalogue: alpha1 = 1, unit masses, r_0 = 1; the exact r_min is 1/(2/alpha2 - 1).
@@ -153,4 +152,4 @@ const Case breathing_pair{
       compare_reference(rows, 0.5, "ARKODE Dormand-Prince", global_of_runge_kutta, dormand_prince);
     }};
 
-}  // namespace
+}  // namespace verification::breathing_pair

@@ -11,10 +11,9 @@
 #include "breathing.hpp"
 #include "references.hpp"
 
-namespace {
+namespace verification::breathing_polygon {
 
 using namespace particulate;
-using namespace verification;
 
 constexpr double alpha2 = 0.5;
 
@@ -89,4 +88,4 @@ const Case breathing_polygon{
       }
     }};
 
-}  // namespace
+}  // namespace verification::breathing_polygon

@@ -12,10 +12,9 @@
 #include "references.hpp"
 #include "turning_pair.hpp"
 
-namespace {
+namespace verification::breathing_rotating {
 
 using namespace particulate;
-using namespace verification;
 
 // A = 4, B = 0.25 * 4 + 1.5^2 = 3.25, 2|E| = 8 - 3.25 = 4.75, a = 4/4.75 = 16/19.
 constexpr double period = 2.427724746595934;
@@ -93,4 +92,4 @@ const Case breathing_rotating{
               [](auto& moving, schemes::Motion& state, double t_end) { advance_by(adams, moving, state, t_end); });
     }};
 
-}  // namespace
+}  // namespace verification::breathing_rotating

@@ -11,10 +11,9 @@
 #include "breathing.hpp"
 #include "references.hpp"
 
-namespace {
+namespace verification::breathing_solids {
 
 using namespace particulate;
-using namespace verification;
 
 constexpr double alpha1 = 1.0, alpha2 = 0.5;
 
@@ -93,4 +92,4 @@ const Case breathing_solids{
       }
     }};
 
-}  // namespace
+}  // namespace verification::breathing_solids

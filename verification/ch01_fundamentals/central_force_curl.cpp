@@ -11,10 +11,9 @@
 
 #include "differences.hpp"
 
-namespace {
+namespace verification::central_force_curl {
 
 using namespace particulate;
-using namespace verification;
 using Eigen::Vector3d;
 
 // Row i, column j: the slope of component i along axis j.
@@ -81,4 +80,4 @@ const Case central_force_curl{
       }
     }};
 
-}  // namespace
+}  // namespace verification::central_force_curl

@@ -9,10 +9,9 @@
 #include "motions.hpp"
 #include "starts.hpp"
 
-namespace {
+namespace verification::continued_run {
 
 using namespace particulate;
-using namespace verification;
 
 // Goes on with a scheme that may have a past; returns the number of right-hand sides.
 template <class S>
@@ -69,4 +68,4 @@ const Case continued_run{
       compare<schemes::VelocityVerlet>(rows, "velocity Verlet", scene, 1 + 64);
     }};
 
-}  // namespace
+}  // namespace verification::continued_run

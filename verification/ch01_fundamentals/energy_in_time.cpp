@@ -11,10 +11,9 @@
 #include "motions.hpp"
 #include "starts.hpp"
 
-namespace {
+namespace verification::energy_in_time {
 
 using namespace particulate;
-using namespace verification;
 
 double total_energy(const NearFieldScene& scene, const schemes::Motion& at) {
   return kinematics::kinetic_energy(scene.particles().mass, rows_of(at.v)) + scene.potential_energy(at);
@@ -74,4 +73,4 @@ const Case energy_in_time{
                            .because = "the scheme's order; as for the pair, most of the error is of order 5 here"});
     }};
 
-}  // namespace
+}  // namespace verification::energy_in_time

@@ -14,10 +14,9 @@
 #include "motions.hpp"
 #include "starts.hpp"
 
-namespace {
+namespace verification::energy_rate {
 
 using namespace particulate;
-using namespace verification;
 
 constexpr double h = 0.01;
 
@@ -114,4 +113,4 @@ const Case energy_rate{
                                   .because = "else nothing was compared"});
     }};
 
-}  // namespace
+}  // namespace verification::energy_rate

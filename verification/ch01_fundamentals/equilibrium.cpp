@@ -11,10 +11,9 @@
 #include "differences.hpp"
 #include "starts.hpp"
 
-namespace {
+namespace verification::equilibrium {
 
 using namespace particulate;
-using namespace verification;
 using Digits50 = boost::multiprecision::cpp_bin_float_50;
 
 const kinematics::CentralForce book{.alpha1 = 0.5, .alpha2 = 0.25, .beta1 = 1.0, .beta2 = 2.0};
@@ -118,4 +117,4 @@ const Case equilibrium{
                  {.expected = 1, .computed = sign_changes(book), .because = "C vanishes at d_e alone"});
     }};
 
-}  // namespace
+}  // namespace verification::equilibrium

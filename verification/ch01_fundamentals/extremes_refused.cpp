@@ -16,10 +16,9 @@
 #include "references.hpp"
 #include "starts.hpp"
 
-namespace {
+namespace verification::extremes_refused {
 
 using namespace particulate;
-using namespace verification;
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -232,4 +231,4 @@ const Case extremes_refused{{.name = "extremes_refused",
                               refuse_questions(rows);
                             }};
 
-}  // namespace
+}  // namespace verification::extremes_refused

@@ -15,10 +15,9 @@
 #include "quadrature.hpp"
 #include "references.hpp"
 
-namespace {
+namespace verification::extremes_solved {
 
 using namespace particulate;
-using namespace verification;
 
 NearFieldScene free_flight(Eigen::Index N) { return {random_cloud({.N = N}, 1), {}, {.alpha1 = 0.5, .alpha2 = 0.25}}; }
 
@@ -144,4 +143,4 @@ const Case extremes_solved{
       });
     }};
 
-}  // namespace
+}  // namespace verification::extremes_solved

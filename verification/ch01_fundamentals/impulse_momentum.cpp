@@ -4,10 +4,9 @@
 
 #include "sampled_motion.hpp"
 
-namespace {
+namespace verification::impulse_momentum {
 
 using namespace particulate;
-using namespace verification;
 
 double error_of_impulse(const SampledMotion& fine, std::size_t stride) {
   const double dt = fine.t_end * static_cast<double>(stride) / static_cast<double>(fine.force.size() - 1);
@@ -39,4 +38,4 @@ const Case impulse_momentum{
                     .because = "order 2 from below 1e-2 at 128 pieces: 32^2 times less"});
     }};
 
-}  // namespace
+}  // namespace verification::impulse_momentum

@@ -7,10 +7,9 @@
 
 #include "starts.hpp"
 
-namespace {
+namespace verification::kinetic_energy_split {
 
 using namespace particulate;
-using namespace verification;
 
 struct Expected {
   double bulk, relative, total;
@@ -81,4 +80,4 @@ const Case kinetic_energy_split{
       }
     }};
 
-}  // namespace
+}  // namespace verification::kinetic_energy_split

@@ -11,10 +11,9 @@
 #include "motions.hpp"
 #include "starts.hpp"
 
-namespace {
+namespace verification::momentum_in_time {
 
 using namespace particulate;
-using namespace verification;
 
 constexpr double t_end = 3.7;
 
@@ -90,4 +89,4 @@ const Case momentum_in_time{
                              "step's error falls as h^6, for two bodies and for three"});
     }};
 
-}  // namespace
+}  // namespace verification::momentum_in_time

@@ -12,10 +12,9 @@
 #include "motions.hpp"
 #include "starts.hpp"
 
-namespace {
+namespace verification::near_field_pairs {
 
 using namespace particulate;
-using namespace verification;
 
 // Unbounded space once more, as a domain that the library does not know: its general loop over pairs is used.
 struct AnotherOpen {};
@@ -150,4 +149,4 @@ const Case near_field_pairs{
                     .because = "forces up to some hundred N rounded to 1e-16 of themselves, 40 sums"});
     }};
 
-}  // namespace
+}  // namespace verification::near_field_pairs

@@ -8,10 +8,9 @@
 #include "motions.hpp"
 #include "starts.hpp"
 
-namespace {
+namespace verification::near_field_totals {
 
 using namespace particulate;
-using namespace verification;
 
 struct Totals {
   double force, moment;  // over sum |Psi| and sum |r| |Psi|
@@ -55,4 +54,4 @@ const Case near_field_totals{
       }
     }};
 
-}  // namespace
+}  // namespace verification::near_field_totals

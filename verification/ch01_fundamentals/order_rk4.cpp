@@ -5,9 +5,7 @@
 
 #include "scheme_order.hpp"
 
-namespace {
-
-using namespace verification;
+namespace verification::order_rk4 {
 
 const Case order_rk4{{.name = "order_rk4",
                       .claim = "the classical Runge-Kutta method has order 4, neither less nor more",
@@ -18,4 +16,4 @@ const Case order_rk4{{.name = "order_rk4",
                            rows, 480, "four stages of order 4 on a smooth force, at no multiple of the period");
                      }};
 
-}  // namespace
+}  // namespace verification::order_rk4

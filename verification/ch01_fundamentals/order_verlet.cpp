@@ -5,9 +5,7 @@
 
 #include "scheme_order.hpp"
 
-namespace {
-
-using namespace verification;
+namespace verification::order_verlet {
 
 const Case order_verlet{{.name = "order_verlet",
                          .claim = "velocity Verlet has order 2, neither less nor more",
@@ -19,4 +17,4 @@ const Case order_verlet{{.name = "order_verlet",
                               "a symmetric method of order 2, at no multiple of the period, where it would gain");
                         }};
 
-}  // namespace
+}  // namespace verification::order_verlet

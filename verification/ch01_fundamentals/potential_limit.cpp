@@ -6,10 +6,9 @@
 #include <harness/case.hpp>
 #include <particulate/kinematics/central_force.hpp>
 
-namespace {
+namespace verification::potential_limit {
 
 using namespace particulate;
-using namespace verification;
 using Digits50 = boost::multiprecision::cpp_bin_float_50;
 
 constexpr double d = 0.5;
@@ -61,4 +60,4 @@ const Case potential_limit{
       }
     }};
 
-}  // namespace
+}  // namespace verification::potential_limit

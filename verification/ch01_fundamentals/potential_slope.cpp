@@ -11,10 +11,9 @@
 
 #include "differences.hpp"
 
-namespace {
+namespace verification::potential_slope {
 
 using namespace particulate;
-using namespace verification;
 
 struct Parts {
   long double attraction, repulsion;
@@ -106,4 +105,4 @@ const Case potential_slope{
       }
     }};
 
-}  // namespace
+}  // namespace verification::potential_slope

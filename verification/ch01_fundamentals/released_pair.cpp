@@ -13,10 +13,9 @@
 #include "references.hpp"
 #include "starts.hpp"
 
-namespace {
+namespace verification::released_pair {
 
 using namespace particulate;
-using namespace verification;
 
 constexpr double d_min = 0.34980807456;
 constexpr double period = 3.396184587;
@@ -84,4 +83,4 @@ const Case released_pair{
       compare(rows, "CVODE", by_adams(), 1e-10, "tolerances of 1e-13, of which a global error is some hundred");
     }};
 
-}  // namespace
+}  // namespace verification::released_pair

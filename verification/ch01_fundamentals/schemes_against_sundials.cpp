@@ -14,10 +14,9 @@
 #include "references.hpp"
 #include "starts.hpp"
 
-namespace {
+namespace verification::schemes_against_sundials {
 
 using namespace particulate;
-using namespace verification;
 
 constexpr double t_end = 2.3;
 
@@ -84,4 +83,4 @@ const Case schemes_against_sundials{{.name = "schemes_against_sundials",
                                       compare(rows, {.alpha1 = 0.5, .alpha2 = 0.25, .beta1 = 1.3, .beta2 = 2.7});
                                     }};
 
-}  // namespace
+}  // namespace verification::schemes_against_sundials

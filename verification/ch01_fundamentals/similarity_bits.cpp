@@ -14,10 +14,9 @@
 #include "motions.hpp"
 #include "starts.hpp"
 
-namespace {
+namespace verification::similarity_bits {
 
 using namespace particulate;
-using namespace verification;
 
 struct Difference {
   long differing = 0;      // components that are not the scaled ones to the last bit
@@ -101,4 +100,4 @@ const Case similarity_bits{
                      .because = "half of the 120 components: else equal bits would prove nothing"});
     }};
 
-}  // namespace
+}  // namespace verification::similarity_bits

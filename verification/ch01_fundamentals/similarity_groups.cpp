@@ -5,10 +5,9 @@
 #include <harness/case.hpp>
 #include <particulate/kinematics/similarity.hpp>
 
-namespace {
+namespace verification::similarity_groups {
 
 using namespace particulate;
-using namespace verification;
 
 const kinematics::Dimensional scene{.law = {.alpha1 = 0.5, .alpha2 = 0.25, .beta1 = 1.0, .beta2 = 2.5},
                                     .mass = 2.0,
@@ -54,4 +53,4 @@ const Case similarity_groups{
               "0.3 has no exact double, and its power 3.5 carries that rounding; some ten roundings more");
     }};
 
-}  // namespace
+}  // namespace verification::similarity_groups

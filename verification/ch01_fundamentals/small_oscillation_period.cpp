@@ -10,10 +10,9 @@
 #include "motions.hpp"
 #include "starts.hpp"
 
-namespace {
+namespace verification::small_oscillation_period {
 
 using namespace particulate;
-using namespace verification;
 
 // Time between two turnings on the same side, released at rest at d_e + amplitude.
 double measured_period(double amplitude) {
@@ -60,4 +59,4 @@ const Case small_oscillation_period{
                                "T (2 pi/1000)^4/120 = 4e-11"});
     }};
 
-}  // namespace
+}  // namespace verification::small_oscillation_period

@@ -4,10 +4,9 @@
 
 #include "sampled_motion.hpp"
 
-namespace {
+namespace verification::work_energy {
 
 using namespace particulate;
-using namespace verification;
 
 // Particle by particle, because the errors of many could cancel in their sum.
 double error_of_work(const SampledMotion& fine, std::size_t stride) {
@@ -67,4 +66,4 @@ const Case work_energy{
                     .because = "8192 times 20 terms in another order, each rounded to 1e-16"});
     }};
 
-}  // namespace
+}  // namespace verification::work_energy

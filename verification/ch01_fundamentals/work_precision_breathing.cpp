@@ -9,10 +9,9 @@
 #include <particulate/schemes/runge_kutta.hpp>
 #include <particulate/schemes/verlet.hpp>
 
-namespace {
+namespace verification::work_precision_breathing {
 
 using namespace particulate;
-using namespace verification;
 
 // Two-sided orders are claimed by order_rk4 and order_verlet, before the bodies turn. Tuned on the softest pair and
 // reported on all: orders above 8 cost CVODE more than they gain, and ARKODE gains from an absolute tolerance above the
@@ -100,4 +99,4 @@ const Case defect{
                      .because = "0.1 % of a period against an error of 1e-9: five decades and more"});
     }};
 
-}  // namespace
+}  // namespace verification::work_precision_breathing

@@ -17,10 +17,9 @@
 
 #include "impacts_by_events.hpp"
 
-namespace {
+namespace verification::bouncing_to_rest {
 
 using namespace particulate;
-using namespace verification;
 
 constexpr double height = 0.4;
 
@@ -228,4 +227,4 @@ const Case falling{
                     .because = "exact for constant forces but for the rounding of 200 steps"});
     }};
 
-}  // namespace
+}  // namespace verification::bouncing_to_rest

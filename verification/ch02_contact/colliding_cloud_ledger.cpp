@@ -10,10 +10,9 @@
 
 #include "clouds.hpp"
 
-namespace {
+namespace verification::colliding_cloud_ledger {
 
 using namespace particulate;
-using namespace verification;
 
 using Cloud =
     scenes::Scene<kinematics::Open, contact::NearField, contact::Contact<contact::Restitution, contact::Friction>>;
@@ -104,4 +103,4 @@ const Case colliding_cloud_ledger{
       compare<schemes::RungeKutta4>(rows, rows.case_seed(), "RK4", {50, 75, 112, 168, 252}, 4.0, 1e-8);
     }};
 
-}  // namespace
+}  // namespace verification::colliding_cloud_ledger

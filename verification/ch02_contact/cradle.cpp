@@ -9,10 +9,9 @@
 
 #include "encounters.hpp"
 
-namespace {
+namespace verification::cradle {
 
 using namespace particulate;
-using namespace verification;
 
 // Spheres of diameter 1 m and mass 1 kg on a line, each touching the next; no rounding in their places.
 kinematics::Particles row_of(const Eigen::VectorXd& speeds) {
@@ -147,4 +146,4 @@ const Case cradle{{.name = "cradle",
                     compare_in_time(rows, contact::Resolution::summed, "summed");
                   }};
 
-}  // namespace
+}  // namespace verification::cradle

@@ -4,10 +4,9 @@
 
 #include "encounters.hpp"
 
-namespace {
+namespace verification::energy_loss {
 
 using namespace particulate;
-using namespace verification;
 
 // Change of the kinetic energy in closed form: restitution's share, and the work of Coulomb friction, which sticks and
 // takes all of the sliding or slides and takes less.
@@ -96,4 +95,4 @@ const Case energy_loss{
       }
     }};
 
-}  // namespace
+}  // namespace verification::energy_loss

@@ -10,10 +10,9 @@
 
 #include "clouds.hpp"
 
-namespace {
+namespace verification::extremes_refused {
 
 using namespace particulate;
-using namespace verification;
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -142,4 +141,4 @@ const Case extremes_refused{{.name = "extremes_refused",
                               refuse_coincidence(rows);
                             }};
 
-}  // namespace
+}  // namespace verification::extremes_refused

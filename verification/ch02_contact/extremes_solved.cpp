@@ -8,10 +8,9 @@
 
 #include "clouds.hpp"
 
-namespace {
+namespace verification::extremes_solved {
 
 using namespace particulate;
-using namespace verification;
 
 const Eigen::Vector3d slanted = Eigen::Vector3d{2.0, 3.0, 6.0} / 7.0;
 
@@ -174,4 +173,4 @@ const Case extremes_solved{
         rows.must_be_solved(fmt::format("speeds of {} m/s", scale), [=] { return scaled_speeds(scale); });
     }};
 
-}  // namespace
+}  // namespace verification::extremes_solved

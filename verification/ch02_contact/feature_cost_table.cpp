@@ -13,9 +13,7 @@
 #include <harness/case.hpp>
 #include <particulate/report/table.hpp>
 
-namespace {
-
-using namespace verification;
+namespace verification::feature_cost_table {
 
 constexpr double particles = 64.0;
 
@@ -191,4 +189,4 @@ const Case feature_cost{
       claim_states(rows, costs);
     }};
 
-}  // namespace
+}  // namespace verification::feature_cost_table

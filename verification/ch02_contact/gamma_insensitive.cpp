@@ -8,10 +8,9 @@
 
 #include "clouds.hpp"
 
-namespace {
+namespace verification::gamma_insensitive {
 
 using namespace particulate;
-using namespace verification;
 
 using Cloud = scenes::Scene<kinematics::Open, contact::NearField,
                             contact::Contact<contact::ConstantRestitution, contact::Friction>>;
@@ -86,4 +85,4 @@ const Case gamma_insensitive{
                   .because = "D1 and D2 are linear in gamma; the limit's own gamma is a millionth of the smallest"});
     }};
 
-}  // namespace
+}  // namespace verification::gamma_insensitive

@@ -10,10 +10,9 @@
 
 #include "encounters.hpp"
 
-namespace {
+namespace verification::group_energy_bounds {
 
 using namespace particulate;
-using namespace verification;
 
 // Pairs ten metres apart that touch; a fifth of them parts.
 kinematics::Particles pairs(Encounters& drawn, Eigen::Index count) {
@@ -149,4 +148,4 @@ const Case group_energy_bounds{
                  {.expected = 3, .computed = seen.impacts, .because = "1 and 2, 2 and 3, 1 and 2; then all part"});
     }};
 
-}  // namespace
+}  // namespace verification::group_energy_bounds

@@ -7,10 +7,9 @@
 
 #include "clouds.hpp"
 
-namespace {
+namespace verification::heat_identity {
 
 using namespace particulate;
-using namespace verification;
 
 // Impulses of the other forces on both bodies along n, over both phases [N s].
 struct Pushes {
@@ -170,4 +169,4 @@ const Case heat_identity{
       }
     }};
 
-}  // namespace
+}  // namespace verification::heat_identity

@@ -4,10 +4,9 @@
 
 #include "encounters.hpp"
 
-namespace {
+namespace verification::impact_map {
 
 using namespace particulate;
-using namespace verification;
 
 // Largest deviations from the monograph's lines, in units of eps times the largest quantity that enters each.
 struct Deviations {
@@ -125,4 +124,4 @@ const Case impact_map{
           worst_of_unequal_phases(drawn, count), 8.0, velocities);
     }};
 
-}  // namespace
+}  // namespace verification::impact_map

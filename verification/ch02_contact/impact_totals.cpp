@@ -7,10 +7,9 @@
 
 #include "clouds.hpp"
 
-namespace {
+namespace verification::impact_totals {
 
 using namespace particulate;
-using namespace verification;
 
 struct Totals {
   double force = 0.0,
@@ -129,4 +128,4 @@ const Case impact_totals{
                     .because = "both get the same impulse; J/m and v + J/m are rounded once a component"});
     }};
 
-}  // namespace
+}  // namespace verification::impact_totals

@@ -6,10 +6,9 @@
 
 #include "encounters.hpp"
 
-namespace {
+namespace verification::no_pull {
 
 using namespace particulate;
-using namespace verification;
 
 struct Counts {
   long act = 0, parted_by_forces = 0, parting_anyway = 0;     // encounters of each kind
@@ -122,4 +121,4 @@ const Case no_pull{
       in_a_scene(rows);
     }};
 
-}  // namespace
+}  // namespace verification::no_pull

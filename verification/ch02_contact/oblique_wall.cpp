@@ -6,10 +6,9 @@
 
 #include "encounters.hpp"
 
-namespace {
+namespace verification::oblique_wall {
 
 using namespace particulate;
-using namespace verification;
 
 struct After {
   double normal, tangential;  // [m/s]
@@ -119,4 +118,4 @@ const Case oblique_wall{
                                "rounding moves it as much"});
     }};
 
-}  // namespace
+}  // namespace verification::oblique_wall

@@ -4,10 +4,9 @@
 
 #include "encounters.hpp"
 
-namespace {
+namespace verification::random_impacts {
 
 using namespace particulate;
-using namespace verification;
 
 struct Seen {
   double gain = -std::numeric_limits<double>::infinity();  // largest T' - T over eps T
@@ -84,4 +83,4 @@ const Case random_impacts{
       compare(rows, ", scene, mass ratios up to 1e12, mu up to 5", by_scene(far, rows.case_seed(), count / 10));
     }};
 
-}  // namespace
+}  // namespace verification::random_impacts

@@ -6,10 +6,9 @@
 
 #include "encounters.hpp"
 
-namespace {
+namespace verification::restitution_in_out {
 
 using namespace particulate;
-using namespace verification;
 
 // Deviation of the restitution seen from the one given, in units of eps max(|v|, |v'|)/u.
 double deviation(const Encounter& at, const WideVector& n, const Eigen::Vector3d& after_i,
@@ -100,4 +99,4 @@ const Case restitution_in_out{
       }
     }};
 
-}  // namespace
+}  // namespace verification::restitution_in_out

@@ -6,10 +6,9 @@
 
 #include "encounters.hpp"
 
-namespace {
+namespace verification::restitution_velocity_dependent {
 
 using namespace particulate;
-using namespace verification;
 
 Wide law_in_words(const contact::Restitution& law, Wide u) {
   const Wide falling = static_cast<Wide>(law.e_o) - static_cast<Wide>(law.e_o) * u / static_cast<Wide>(law.v_star);
@@ -94,4 +93,4 @@ const Case restitution_velocity_dependent{
       compare(rows, {.e_o = 0.0, .v_star = 1.0, .e_minus = 0.0}, "e_o = 0");
     }};
 
-}  // namespace
+}  // namespace verification::restitution_velocity_dependent

@@ -6,10 +6,9 @@
 
 #include "encounters.hpp"
 
-namespace {
+namespace verification::stopping_friction {
 
 using namespace particulate;
-using namespace verification;
 
 WideVector parting(const Encounter& at, double mu) {
   Encounter with = at;
@@ -134,4 +133,4 @@ const Case stopping_friction{
            .because = because});
     }};
 
-}  // namespace
+}  // namespace verification::stopping_friction

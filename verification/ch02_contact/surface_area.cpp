@@ -7,10 +7,9 @@
 
 #include "clouds.hpp"
 
-namespace {
+namespace verification::surface_area {
 
 using namespace particulate;
-using namespace verification;
 using contact::NearField, contact::Scaling;
 
 using Cloud =
@@ -90,4 +89,4 @@ const Case surface_area{
                      .because = "else the near field would hardly act here"});
     }};
 
-}  // namespace
+}  // namespace verification::surface_area

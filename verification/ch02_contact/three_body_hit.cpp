@@ -10,10 +10,9 @@
 
 #include "clouds.hpp"
 
-namespace {
+namespace verification::three_body_hit {
 
 using namespace particulate;
-using namespace verification;
 using contact::Resolution;
 
 // Three unit spheres of diameter 1 at the corners of a triangle with sides slightly shorter; 0 flies at 1 m/s between
@@ -205,4 +204,4 @@ const Case three_body_hit{
       }
     }};
 
-}  // namespace
+}  // namespace verification::three_body_hit

@@ -17,10 +17,9 @@
 
 #include "three_body.hpp"
 
-namespace {
+namespace verification::three_body_near_field {
 
 using namespace particulate;
-using namespace verification;
 
 // Amid flights for every start below.
 constexpr double t_end = 2.9;
@@ -114,4 +113,4 @@ const Case three_body_near_field{
       compare_order<schemes::RungeKutta4>(rows, "RK4", all, exact);
     }};
 
-}  // namespace
+}  // namespace verification::three_body_near_field

@@ -16,10 +16,9 @@
 #include "impacts_by_events.hpp"
 #include "three_body.hpp"
 
-namespace {
+namespace verification::work_precision_contact {
 
 using namespace particulate;
-using namespace verification;
 
 // From the largest on, each half the one before.
 std::vector<double> halved(double largest, int count) {
@@ -159,4 +158,4 @@ const Case three_bodies{
                           by_roots(gap_events(scene.particles().radius), impact_of_pair(scene.particles().mass)))}});
     }};
 
-}  // namespace
+}  // namespace verification::work_precision_contact

@@ -15,10 +15,9 @@
 
 #include "linear_problems.hpp"
 
-namespace {
+namespace verification::amplification {
 
 using namespace particulate::schemes;
-using namespace verification;
 
 // A power of two, so that the times of a run are exact and every step is the same to the last bit.
 constexpr double dt = 1.0 / 64.0;
@@ -128,4 +127,4 @@ const Case amplification_spring{
       compare_verlet(rows);
     }};
 
-}  // namespace
+}  // namespace verification::amplification

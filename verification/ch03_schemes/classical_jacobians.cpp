@@ -8,10 +8,9 @@
 
 #include "classical_problems.hpp"
 
-namespace {
+namespace verification::classical_jacobians {
 
 using namespace particulate;
-using namespace verification;
 
 template <class P>
 Eigen::VectorXd rate_at(const P& problem, const Eigen::VectorXd& y) {
@@ -59,4 +58,4 @@ const Case jacobians{{.name = "classical_jacobians",
                        compare(rows, "Oregonator", Oregonator{}, Eigen::Vector3d{20.0, 1200.0, 130.0});
                      }};
 
-}  // namespace
+}  // namespace verification::classical_jacobians

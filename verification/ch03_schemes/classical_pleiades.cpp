@@ -7,10 +7,9 @@
 
 #include "classical_problems.hpp"
 
-namespace {
+namespace verification::classical_pleiades {
 
 using namespace particulate;
-using namespace verification;
 
 void compare(Rows& rows, const std::string& how, const reference::Method& method) {
   const auto scene = pleiades();
@@ -40,4 +39,4 @@ const Case pleiades_case{{.name = "classical_pleiades",
                                    .table = reference::Table::fehlberg_13_7_8, .relative = 1e-14, .absolute = 1e-15});
                          }};
 
-}  // namespace
+}  // namespace verification::classical_pleiades

@@ -9,10 +9,9 @@
 
 #include "classical_problems.hpp"
 
-namespace {
+namespace verification::classical_stiff {
 
 using namespace particulate;
-using namespace verification;
 
 // Two tolerances of a step, and what they may cost over the whole run.
 struct Tolerances {
@@ -79,4 +78,4 @@ const Case oregonator{
                "1000 times the tolerance of a step: their errors shift the pulses in time, and nothing damps a shift"});
     }};
 
-}  // namespace
+}  // namespace verification::classical_stiff

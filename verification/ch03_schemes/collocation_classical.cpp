@@ -11,11 +11,10 @@
 
 #include "classical_problems.hpp"
 
-namespace {
+namespace verification::collocation_classical {
 
 using namespace particulate;
 using namespace particulate::schemes;
-using namespace verification;
 
 // A problem with its digits, and what a step may cost.
 struct Published {
@@ -117,4 +116,4 @@ const Case pleiades_case{
           {.expected = -3.943437585517392, .computed = state.r[7], .tolerance = relative(1e-10), .because = because});
     }};
 
-}  // namespace
+}  // namespace verification::collocation_classical

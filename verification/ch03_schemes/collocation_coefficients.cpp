@@ -14,10 +14,9 @@
 
 #include "linear_problems.hpp"
 
-namespace {
+namespace verification::collocation_coefficients_ {
 
 using namespace particulate::schemes;
-using namespace verification;
 using Digits50 = boost::multiprecision::cpp_bin_float_50;
 using Polynomial = std::vector<Digits50>;  // coefficients of 1, x, x^2, ...
 
@@ -345,4 +344,4 @@ const Case collocation_polynomials{
       compare_polynomials<Radau<5>>(rows, "Radau 5");
     }};
 
-}  // namespace
+}  // namespace verification::collocation_coefficients_

@@ -10,10 +10,9 @@
 
 #include "linear_problems.hpp"
 
-namespace {
+namespace verification::collocation_compensated {
 
 using namespace particulate::schemes;
-using namespace verification;
 
 // y' = (y2, -y1), the oscillator as a problem of first order.
 struct Rotation {
@@ -79,4 +78,4 @@ const Case collocation_compensated{
       compare<Values>(rows, "values", Rotation{});
     }};
 
-}  // namespace
+}  // namespace verification::collocation_compensated

@@ -24,10 +24,9 @@
 #include "pade.hpp"
 #include "sweeping.hpp"
 
-namespace {
+namespace verification::collocation_contraction {
 
 using namespace particulate::schemes;
-using namespace verification;
 using Square = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
 
 std::vector<long double> gauss_points(int s) {
@@ -238,4 +237,4 @@ const Case collocation_contraction{
       rows.write("collocation_contraction", table);
     }};
 
-}  // namespace
+}  // namespace verification::collocation_contraction

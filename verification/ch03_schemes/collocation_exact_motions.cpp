@@ -14,10 +14,9 @@
 
 #include "linear_problems.hpp"
 
-namespace {
+namespace verification::collocation_exact_motions {
 
 using namespace particulate;
-using namespace verification;
 
 // One setting for all: no case is tuned.
 constexpr double TOL = 1e-11, sweep_TOL = 1e-14;
@@ -145,4 +144,4 @@ const Case collocation_rotating_pair{
       rows.at_most("its velocity over the largest [-]", {.limit = goal, .computed = worst.velocity, .because = asked});
     }};
 
-}  // namespace
+}  // namespace verification::collocation_exact_motions

@@ -17,11 +17,10 @@
 #include "endings.hpp"
 #include "linear_problems.hpp"
 
-namespace {
+namespace verification::collocation_extremes {
 
 using namespace particulate;
 using namespace particulate::schemes;
-using namespace verification;
 
 using FixedPoint = Collocation<Gauss<4>>;
 
@@ -208,4 +207,4 @@ const Case collocation_extremes{
       compare_robertson(rows);
     }};
 
-}  // namespace
+}  // namespace verification::collocation_extremes

@@ -17,11 +17,10 @@
 #include "linear_problems.hpp"
 #include "sweeping.hpp"
 
-namespace {
+namespace verification::collocation_is_the_scheme {
 
 using namespace particulate;
 using namespace particulate::schemes;
-using namespace verification;
 
 using OneStage = Collocation<Radau<1>, Picard>;
 
@@ -111,4 +110,4 @@ const Case collocation_is_the_scheme{
                    2.0, {.TOL = 1e-8, .K_d = 4, .step = 0.4, .limit = 0.4});
     }};
 
-}  // namespace
+}  // namespace verification::collocation_is_the_scheme

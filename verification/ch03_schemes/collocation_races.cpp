@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 namespace verification {
-namespace {
+namespace collocation_races {
 
 template <class Scheme, class State, class Problem, class Control>
 Advance<State> begin(Problem problem, const schemes::CollocationSettings& settings, Control control) {
@@ -30,16 +30,16 @@ Advance<schemes::Motion> begin_gauss(int stages, AnyMotion problem, const scheme
   }
 }
 
-}  // namespace
+}  // namespace collocation_races
 
 Advance<schemes::Motion> gauss(int stages, AnyMotion problem, const schemes::CollocationSettings& settings,
                                const schemes::FixedSweeps& control) {
-  return begin_gauss(stages, std::move(problem), settings, control);
+  return collocation_races::begin_gauss(stages, std::move(problem), settings, control);
 }
 
 Advance<schemes::Motion> gauss(int stages, AnyMotion problem, const schemes::CollocationSettings& settings,
                                const schemes::ErrorControl& control) {
-  return begin_gauss(stages, std::move(problem), settings, control);
+  return collocation_races::begin_gauss(stages, std::move(problem), settings, control);
 }
 
 Advance<schemes::Values> radau(int stages, AnyValues problem, const schemes::CollocationSettings& settings,
@@ -47,9 +47,9 @@ Advance<schemes::Values> radau(int stages, AnyValues problem, const schemes::Col
   using schemes::Collocation, schemes::Newton, schemes::Radau, schemes::Values;
   switch (stages) {
     case 3:
-      return begin<Collocation<Radau<3>, Newton<>>, Values>(std::move(problem), settings, control);
+      return collocation_races::begin<Collocation<Radau<3>, Newton<>>, Values>(std::move(problem), settings, control);
     case 5:
-      return begin<Collocation<Radau<5>, Newton<>>, Values>(std::move(problem), settings, control);
+      return collocation_races::begin<Collocation<Radau<5>, Newton<>>, Values>(std::move(problem), settings, control);
     default:
       throw std::invalid_argument(fmt::format("Radau collocation races with 3 or 5 stages, got {}", stages));
   }

@@ -14,10 +14,9 @@
 #include "linear_problems.hpp"
 #include "pade.hpp"
 
-namespace {
+namespace verification::collocation_stability {
 
 using namespace particulate::schemes;
-using namespace verification;
 using Complex = std::complex<double>;
 
 // A power of two, so that lambda dt is what it should be to the last bit.
@@ -124,4 +123,4 @@ const Case collocation_stability{
       compare_decay<Radau<5>>(rows, "Radau 5");
     }};
 
-}  // namespace
+}  // namespace verification::collocation_stability

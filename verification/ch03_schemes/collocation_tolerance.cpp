@@ -16,11 +16,10 @@
 #include "classical_problems.hpp"
 #include "linear_problems.hpp"
 
-namespace {
+namespace verification::collocation_tolerance {
 
 using namespace particulate;
 using namespace particulate::schemes;
-using namespace verification;
 
 // Errors of one method over its tolerances.
 struct Followed {
@@ -163,4 +162,4 @@ const Case estimate_blind{
       compare_blind<Gauss<8>>(rows, "Gauss 8", 1.0, high);
     }};
 
-}  // namespace
+}  // namespace verification::collocation_tolerance

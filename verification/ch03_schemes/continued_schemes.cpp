@@ -22,11 +22,10 @@
 #include "bits.hpp"
 #include "classical_problems.hpp"
 
-namespace {
+namespace verification::continued_schemes {
 
 using namespace particulate;
 using namespace particulate::schemes;
-using namespace verification;
 
 // A checkpoint: the three values that a run is made of.
 template <class State, class S, class C>
@@ -147,4 +146,4 @@ const Case continued_schemes{
       compare_staggered(rows, "Jacobi", Seen::previous, {});
     }};
 
-}  // namespace
+}  // namespace verification::continued_schemes

@@ -15,11 +15,10 @@
 #include "endings.hpp"
 #include "linear_problems.hpp"
 
-namespace {
+namespace verification::contraction_limit {
 
 using namespace particulate;
 using namespace particulate::schemes;
-using namespace verification;
 
 constexpr double omega = 8.0;
 constexpr int plenty = 20000;  // contractions: 0.998^14000 = 1e-12
@@ -270,4 +269,4 @@ const Case extremes_of_sweeps{
       refuse_near_fields(rows);
     }};
 
-}  // namespace
+}  // namespace verification::contraction_limit

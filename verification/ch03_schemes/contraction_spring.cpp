@@ -12,10 +12,9 @@
 #include "linear_problems.hpp"
 #include "sweeping.hpp"
 
-namespace {
+namespace verification::contraction_spring {
 
 using namespace particulate::schemes;
-using namespace verification;
 
 // Changes are differences of numbers near 1: at 1e-10 they are good to 4 eps/1e-10.
 constexpr double above_rounding = 1e-10, tolerance = 4.0 * eps / above_rounding;
@@ -136,4 +135,4 @@ const Case contraction_many{
       }
     }};
 
-}  // namespace
+}  // namespace verification::contraction_spring

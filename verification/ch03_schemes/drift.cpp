@@ -18,11 +18,10 @@
 
 #include "linear_problems.hpp"
 
-namespace {
+namespace verification::drift {
 
 using namespace particulate;
 using namespace particulate::schemes;
-using namespace verification;
 
 constexpr double alpha2 = 0.5, step = 0.02;
 constexpr int samples = 40;
@@ -265,4 +264,4 @@ const Case drift{
       rows.at_least("moments compared", {.limit = 3.0 * samples, .computed = number, .because = "three motions"});
     }};
 
-}  // namespace
+}  // namespace verification::drift

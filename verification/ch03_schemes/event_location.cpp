@@ -18,10 +18,9 @@
 #include "endings.hpp"
 #include "linear_problems.hpp"
 
-namespace {
+namespace verification::event_location {
 
 using namespace particulate;
-using namespace verification;
 using schemes::Direction;
 using schemes::Events;
 using schemes::Hit;
@@ -285,4 +284,4 @@ const Case order{{.name = "event_order",
                    order_of_time<4>(rows, {6, 8, 11, 14, 18, 23});
                  }};
 
-}  // namespace
+}  // namespace verification::event_location

@@ -14,11 +14,10 @@
 #include "linear_problems.hpp"
 #include "sweeping.hpp"
 
-namespace {
+namespace verification::iteration_error_only {
 
 using namespace particulate;
 using namespace particulate::schemes;
-using namespace verification;
 
 constexpr double t_end = 2.0, alpha2 = 0.5;
 const ExactBreathing exact{.force = kinematics::breathing_pair(1.0, alpha2, 1.0, 1.0), .r_0 = 1.0};
@@ -161,4 +160,4 @@ const Case iteration_error_only{
       compare_tolerances(rows);
     }};
 
-}  // namespace
+}  // namespace verification::iteration_error_only

@@ -21,10 +21,9 @@
 
 #include "linear_problems.hpp"
 
-namespace {
+namespace verification::located_contact_roots {
 
 using namespace particulate;
-using namespace verification;
 
 constexpr contact::NearField field{.alpha1 = 1.0, .alpha2 = 0.5, .beta1 = 2.0, .beta2 = 3.0};
 
@@ -184,4 +183,4 @@ const Case roots{
       }
     }};
 
-}  // namespace
+}  // namespace verification::located_contact_roots

@@ -20,10 +20,9 @@
 #include "endings.hpp"
 #include "linear_problems.hpp"
 
-namespace {
+namespace verification::located_contacts {
 
 using namespace particulate;
-using namespace verification;
 
 constexpr double height = 0.4;
 
@@ -231,4 +230,4 @@ const Case forgets{
                                                      .because = "a guess that was not forgotten takes other sweeps"});
     }};
 
-}  // namespace
+}  // namespace verification::located_contacts

@@ -17,10 +17,9 @@
 #include "linear_problems.hpp"
 #include "pade.hpp"
 
-namespace {
+namespace verification::newton_solvers {
 
 using namespace particulate::schemes;
-using namespace verification;
 
 constexpr Eigen::Index masses = 20;
 constexpr double stiffer = 1e6, step = 0.1, t_end = 2.0;
@@ -196,4 +195,4 @@ const Case newton_damper{{.name = "newton_damper",
                                                            .because = "roundings of sums of terms as large as v dt"});
                          }};
 
-}  // namespace
+}  // namespace verification::newton_solvers

@@ -7,10 +7,9 @@
 
 #include "collocation_orders.hpp"
 
-namespace {
+namespace verification::order_collocation_near_field {
 
 using namespace particulate;
-using namespace verification;
 
 const Eigen::Vector3d across{3.0 / 7.0, -6.0 / 7.0, 2.0 / 7.0};
 constexpr double alpha2 = 0.3;
@@ -56,4 +55,4 @@ const Case order_collocation_near_field{
                                   {.t_end = 2.3, .coarsest = 16, .dense_end = 2.3, .dense_coarse = 24}});
     }};
 
-}  // namespace
+}  // namespace verification::order_collocation_near_field

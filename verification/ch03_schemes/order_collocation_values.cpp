@@ -6,10 +6,9 @@
 
 #include "collocation_orders.hpp"
 
-namespace {
+namespace verification::order_collocation_values {
 
 using namespace particulate::schemes;
-using namespace verification;
 
 // A body about an attracting centre that is driven by a turning push: y = (r, v) with
 // r'' = -(1 - q) r/|r|^3 - q (cos t, sin t). The push agrees with the circle of radius 1.
@@ -51,4 +50,4 @@ const Case order_collocation_values{
                                   {.t_end = 2.3, .coarsest = 16, .dense_end = 2.3, .dense_coarse = 24}});
     }};
 
-}  // namespace
+}  // namespace verification::order_collocation_values

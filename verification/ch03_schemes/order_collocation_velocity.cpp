@@ -6,10 +6,9 @@
 
 #include "collocation_orders.hpp"
 
-namespace {
+namespace verification::order_collocation_velocity {
 
 using namespace particulate::schemes;
-using namespace verification;
 
 // A charge about an attracting centre in a magnetic field that decays from it: r'' = -(1 - q) r/|r|^3 + q J v/|r|^2,
 // with J a quarter turn. On the unit circle both parts pull inwards, and the sum is 1.
@@ -48,4 +47,4 @@ const Case order_collocation_velocity{
                                   {.t_end = 2.3, .coarsest = 16, .dense_end = 2.3, .dense_coarse = 24}});
     }};
 
-}  // namespace
+}  // namespace verification::order_collocation_velocity

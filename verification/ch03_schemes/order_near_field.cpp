@@ -5,9 +5,8 @@
 #include <particulate/schemes/euler.hpp>
 #include <particulate/schemes/phi_family.hpp>
 
-namespace {
+namespace verification::order_near_field {
 
-using namespace verification;
 using particulate::schemes::Anderson;
 using particulate::schemes::Picard;
 
@@ -66,4 +65,4 @@ const Case order_trapezoidal_anderson{
      .reference = Reference::convergence},
     proof<Trapezoidal<Anderson>>(480, second_order)};
 
-}  // namespace
+}  // namespace verification::order_near_field

@@ -16,10 +16,9 @@
 
 #include "linear_problems.hpp"
 
-namespace {
+namespace verification::order_values {
 
 using namespace particulate::schemes;
-using namespace verification;
 
 // y' = -2 t y^2 with y(0) = 1: y = 1/(1 + t^2). Both t and y must be taken where the scheme says.
 struct Bell {
@@ -161,4 +160,4 @@ const Case order_staggered{
       compare_staggered(rows, "Jacobi", Seen::previous, {});
     }};
 
-}  // namespace
+}  // namespace verification::order_values

@@ -17,10 +17,9 @@
 #include "linear_problems.hpp"
 #include "sweeping.hpp"
 
-namespace {
+namespace verification::phi_k_prediction {
 
 using namespace particulate::schemes;
-using namespace verification;
 
 constexpr double omega = 3.0;
 constexpr double decay_rate = 2.0;
@@ -292,4 +291,4 @@ const Case phi_k_bounds{
       compare_landing(rows);
     }};
 
-}  // namespace
+}  // namespace verification::phi_k_prediction

@@ -12,10 +12,9 @@
 #include <particulate/schemes/integrate.hpp>
 #include <particulate/schemes/phi_family.hpp>
 
-namespace {
+namespace verification::reference_fixed_point {
 
 using namespace particulate;
-using namespace verification;
 
 constexpr int depth = 3;  // earlier iterates that either Anderson mixes in
 
@@ -148,4 +147,4 @@ const Case beyond{
                     .because = "backward Euler of small oscillations, from rest; likewise"});
     }};
 
-}  // namespace
+}  // namespace verification::reference_fixed_point

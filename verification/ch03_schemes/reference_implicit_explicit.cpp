@@ -7,10 +7,9 @@
 #include <harness/case.hpp>
 #include <particulate/reference/integrator.hpp>
 
-namespace {
+namespace verification::reference_implicit_explicit {
 
 using namespace particulate;
-using namespace verification;
 
 // An oscillator under strong drag, r'' = -r - c r': the drag is fast, the rest slow.
 struct DraggedOscillator {
@@ -67,4 +66,4 @@ const Case implicit_explicit{
       }
     }};
 
-}  // namespace
+}  // namespace verification::reference_implicit_explicit

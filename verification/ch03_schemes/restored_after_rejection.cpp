@@ -18,11 +18,10 @@
 
 #include "bits.hpp"
 
-namespace {
+namespace verification::restored_after_rejection {
 
 using namespace particulate;
 using namespace particulate::schemes;
-using namespace verification;
 
 double sweep_tolerance(const PhiControl& control) { return control.TOL; }
 double sweep_tolerance(const ErrorControl& control) { return control.sweep_TOL; }
@@ -208,4 +207,4 @@ const Case restored_after_rejection{
       compare_staggered(rows, "Jacobi", {}, Seen::previous, 1);
     }};
 
-}  // namespace
+}  // namespace verification::restored_after_rejection

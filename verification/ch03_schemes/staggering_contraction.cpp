@@ -18,10 +18,9 @@
 #include "linear_problems.hpp"
 #include "sweeping.hpp"
 
-namespace {
+namespace verification::staggering_contraction {
 
 using namespace particulate::schemes;
-using namespace verification;
 
 constexpr double above_rounding = 1e-10, tolerance = 4.0 * eps / above_rounding;
 constexpr auto because = "ratios of changes that are above 1e-10 of numbers near 1, four roundings each";
@@ -187,4 +186,4 @@ const Case staggering_limit{
       compare_reported(rows);
     }};
 
-}  // namespace
+}  // namespace verification::staggering_contraction

@@ -18,10 +18,9 @@
 #include "linear_problems.hpp"
 #include "sweeping.hpp"
 
-namespace {
+namespace verification::staggering_control {
 
 using namespace particulate::schemes;
-using namespace verification;
 
 // What the text says, from iterates alone: errors over the displacement of the first change, and Phi_K of each field.
 struct ByHand {
@@ -153,4 +152,4 @@ const Case staggering_prediction{
       }
     }};
 
-}  // namespace
+}  // namespace verification::staggering_control

@@ -20,10 +20,9 @@
 #include "collocation_races.hpp"
 #include "kinsol_euler.hpp"
 
-namespace {
+namespace verification::work_precision_near_field {
 
 using namespace particulate;
-using namespace verification;
 using schemes::Anderson, schemes::BackwardEuler, schemes::PhiFamily;
 
 // Steps in a leg between two outputs, and the slope that their errors must show. 0 where errors below a hundredth, on
@@ -349,4 +348,4 @@ const Case outputs{{.name = "work_precision_near_field_100_outputs",
                      measure_parties(rows, of, {{0, 0, 0, 0}, {0, 0, 0, 0}, ""}, rows.full());
                    }};
 
-}  // namespace
+}  // namespace verification::work_precision_near_field

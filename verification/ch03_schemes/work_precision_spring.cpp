@@ -14,10 +14,9 @@
 #include "collocation_races.hpp"
 #include "linear_problems.hpp"
 
-namespace {
+namespace verification::work_precision_spring {
 
 using namespace particulate;
-using namespace verification;
 
 // Moving at the start, so that nothing is symmetric in time; the end is no multiple of the period or of a part of it.
 Race<Oscillators> spring_race() {
@@ -70,4 +69,4 @@ const Case spring{
           {.problem = "spring", .reference = "closed form, rounded", .floor = rounding_floor, .competitors = all});
     }};
 
-}  // namespace
+}  // namespace verification::work_precision_spring

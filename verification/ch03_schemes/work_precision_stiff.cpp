@@ -14,10 +14,9 @@
 #include "classical_problems.hpp"
 #include "collocation_races.hpp"
 
-namespace {
+namespace verification::work_precision_stiff {
 
 using namespace particulate;
-using namespace verification;
 
 // What is chosen for a problem, and what is claimed of it.
 struct Stiff {
@@ -109,4 +108,4 @@ const Case oregonator{
                  .because = "seen 0.8, 1.2, 1.3 and 2.4 to 2.9, as sums are rounded; par was hoped for at 1e-6"});
     }};
 
-}  // namespace
+}  // namespace verification::work_precision_stiff
