@@ -38,7 +38,7 @@
 
 #include <fmt/core.h>
 
-#include <particulate/contact/near_field.hpp>
+#include <particulate/laws/near_field.hpp>
 #include <particulate/kinematics/breathing.hpp>
 #include <particulate/kinematics/central_force.hpp>
 #include <particulate/kinematics/energy.hpp>
@@ -108,7 +108,7 @@ kinematics::Particles two_bodies(double distance) {
 //! its end; the reason is printed if one does not.
 
 template <class Scene, class Scheme>
-void advance(const Scene& scene, schemes::Motion& state, double t_end, Scheme& scheme, double step) {
+void advance(const Scene& scene, schemes::State& state, double t_end, Scheme& scheme, double step) {
   schemes::FixedStep control{.step = step};
   const schemes::Outcome outcome = schemes::integrate(scene, state, t_end, scheme, control);
   if (outcome.status != schemes::Status::reached) throw std::runtime_error(outcome.reason);
@@ -200,18 +200,18 @@ int run(int argc, char** argv) {
   const double kick = std::numbers::pi * p.displacement * d_e / small_period;  // each body, opposite ways
   kicked.velocity.col(1) << -kick, kick;
 
-  const contact::NearField near_field{.alpha1 = p.alpha1, .alpha2 = p.alpha2, .beta1 = p.beta1, .beta2 = p.beta2};
-  const scenes::Scene swings{displaced, kinematics::Open{}, near_field};
-  const scenes::Scene leaves{kicked, kinematics::Open{}, near_field};
+  const laws::NearField near_field{.alpha1 = p.alpha1, .alpha2 = p.alpha2, .beta1 = p.beta1, .beta2 = p.beta2};
+  const scenes::Scene swings{displaced, kinematics::Space{}, near_field};
+  const scenes::Scene leaves{kicked, kinematics::Space{}, near_field};
   report::Table paths({"time [s]", "x displaced [m]", "y displaced [m]", "x kicked [m]", "y kicked [m]"});
-  schemes::Motion swing = scenes::start(swings), leave = scenes::start(leaves);
+  schemes::State swing = scenes::start(swings), leave = scenes::start(leaves);
   schemes::RungeKutta4 first, second;
   double turned_back = 0.0, last_angle = 0.0;
   for (int k = 0; k <= 400; ++k) {
     const double t = 0.02 * k * small_period;
     advance(swings, swing, t, first, 0.005 * small_period);
     advance(leaves, leave, t, second, 0.005 * small_period);
-    const auto apart = [](const schemes::Motion& m, int c) { return m.r[2 * c + 1] - m.r[2 * c]; };
+    const auto apart = [](const schemes::State& m, int c) { return m.r[2 * c + 1] - m.r[2 * c]; };
     paths.add({t, apart(swing, 0), apart(swing, 1), apart(leave, 0), apart(leave, 1)});
     const double angle = std::atan2(apart(leave, 1), apart(leave, 0));
     turned_back = std::max(turned_back, -std::remainder(angle - last_angle, 2.0 * std::numbers::pi));
@@ -236,8 +236,8 @@ int run(int argc, char** argv) {
   //! Verlet, so that both ask for the force equally often.
 
   const kinematics::Breathing exact(kinematics::breathing_pair(1.0, p.stiffness, 1.0, 1.0), 1.0);
-  const scenes::Scene breathes{two_bodies(1.0), kinematics::Open{},
-                               contact::NearField{.alpha1 = 1.0, .alpha2 = p.stiffness, .beta1 = 2.0, .beta2 = 3.0}};
+  const scenes::Scene breathes{two_bodies(1.0), kinematics::Space{},
+                               laws::NearField{.alpha1 = 1.0, .alpha2 = p.stiffness, .beta1 = 2.0, .beta2 = 3.0}};
   const double step = exact.period() / p.steps;
   const double turn_rate = std::sqrt(3.0 * 2.0 * p.stiffness / std::pow(exact.nearest(), 4));  // of the wall met there
   if (!(step * turn_rate < 0.5)) {
@@ -247,10 +247,10 @@ int run(int argc, char** argv) {
                step * turn_rate, std::ceil(2.0 * exact.period() * turn_rate));
     return 2;
   }
-  const auto separation = [](const schemes::Motion& m) { return m.r[1] - m.r[0]; };
+  const auto separation = [](const schemes::State& m) { return m.r[1] - m.r[0]; };
   report::Table breathing({"time [periods]", "closed form [m]", "Runge-Kutta [m]", "Verlet [m]",
                            "error Runge-Kutta [m]", "error Verlet [m]"});
-  schemes::Motion by_runge_kutta = scenes::start(breathes), by_verlet = by_runge_kutta;
+  schemes::State by_runge_kutta = scenes::start(breathes), by_verlet = by_runge_kutta;
   schemes::RungeKutta4 runge_kutta;
   schemes::VelocityVerlet verlet;
   double worst_runge_kutta = 0.0, worst_verlet = 0.0;
@@ -277,7 +277,7 @@ int run(int argc, char** argv) {
   const double generic = 0.83 * exact.period();  // no multiple of a period, where symmetric methods look too good
   double last = 0.0, last_verlet = 0.0;
   for (int n = p.steps; n <= 8 * p.steps; n *= 2) {
-    schemes::Motion a = scenes::start(breathes), b = a;
+    schemes::State a = scenes::start(breathes), b = a;
     advance(breathes, a, generic, runge_kutta, generic / n);
     advance(breathes, b, generic, verlet, generic / n);
     const double off = std::abs(separation(a) - exact.at(generic).r),
@@ -308,14 +308,14 @@ int run(int argc, char** argv) {
   const kinematics::CentralForce small_law{.alpha1 = 1.0, .alpha2 = p.stiffness, .beta1 = 2.0, .beta2 = 3.0};
   const kinematics::CentralForce large_law = kinematics::scaled(small_law, scales);
   const kinematics::Particles large = kinematics::scaled(two_bodies(1.0), scales);
-  const scenes::Scene scaled_scene{large, kinematics::Open{},
-                                   contact::NearField{large_law.alpha1, large_law.alpha2, 2.0, 3.0}};
-  const scenes::Scene unscaled_law{large, kinematics::Open{}, contact::NearField{1.0, p.stiffness, 2.0, 3.0}};
+  const scenes::Scene scaled_scene{large, kinematics::Space{},
+                                   laws::NearField{large_law.alpha1, large_law.alpha2, 2.0, 3.0}};
+  const scenes::Scene unscaled_law{large, kinematics::Space{}, laws::NearField{1.0, p.stiffness, 2.0, 3.0}};
 
   report::Table similar(
       {"dimensionless time [-]", "small scene [-]", "large scene, scaled law [-]", "large scene, same law [-]"});
-  schemes::Motion small_state = scenes::start(breathes), large_state = scenes::start(scaled_scene);
-  schemes::Motion wrong_state = scenes::start(unscaled_law);
+  schemes::State small_state = scenes::start(breathes), large_state = scenes::start(scaled_scene);
+  schemes::State wrong_state = scenes::start(unscaled_law);
   schemes::VelocityVerlet for_small, for_large, for_wrong;
   double difference = 0.0;
   for (int k = 0; k <= 160; ++k) {
@@ -356,7 +356,7 @@ int run(int argc, char** argv) {
   checks.add("breathing pair by Verlet, three periods [m]", worst_verlet, 0.05 * std::pow(0.25 * resolution, 2));
   output.write("checks", checks.table());
   line.write_parameters();
-  const std::string kernel(contact::name(contact::best_kernel()));
+  const std::string kernel(laws::name(laws::best_kernel()));
   report::write_stamp(output.folder(), report::make_stamp(line.line(), line.common().seed, kernel));
   fmt::print("{}", checks.table().text());
   return checks.all_hold() ? EXIT_SUCCESS : EXIT_FAILURE;

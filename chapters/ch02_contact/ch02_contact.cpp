@@ -49,7 +49,7 @@
 
 #include <particulate/contact/contact.hpp>
 #include <particulate/contact/impact.hpp>
-#include <particulate/contact/near_field.hpp>
+#include <particulate/laws/near_field.hpp>
 #include <particulate/kinematics/energy.hpp>
 #include <particulate/kinematics/momentum.hpp>
 #include <particulate/report/checks.hpp>
@@ -365,8 +365,8 @@ int run(int argc, char** argv) {
   for (auto& [name, start] : hits) start.velocity(0, 0) = 1.0;
   hits[1].second.velocity(2, 0) = -1.0;
   const auto resolved = [&](const kinematics::Particles& start, contact::Resolution how, int rounds) {
-    const scenes::Scene scene{start, kinematics::Open{}, contact::Contact<>{.gamma = p.gamma, .resolution = how}};
-    schemes::Motion state = scenes::start(scene);
+    const scenes::Scene scene{start, kinematics::Space{}, contact::Contact<>{.gamma = p.gamma, .resolution = how}};
+    schemes::State state = scenes::start(scene);
     while (rounds-- > 0 && scene.jump(state, p.step).impacts > 0) continue;
     return kinematics::Vectors(state.v.reshaped(start.size(), 3));
   };
@@ -417,11 +417,11 @@ int run(int argc, char** argv) {
   kinematics::Particles pair = at_rest(kinematics::Vectors::Zero(2, 3));
   pair.position(1, 0) = 2.0;
   pair.velocity(0, 0) = 1.0;
-  const scenes::Scene meeting{pair, kinematics::Open{}, contact::Contact<>{.restitution = {p.e}, .gamma = p.gamma}};
+  const scenes::Scene meeting{pair, kinematics::Space{}, contact::Contact<>{.restitution = {p.e}, .gamma = p.gamma}};
   report::Table stepped({"step [s]", "overlap [m]", "error of the separation [m]", "order [-]"});
   double last = 0.0, off_order = 0.0;
   for (int quarters = 0; quarters < 5; ++quarters) {
-    schemes::Motion state = scenes::start(meeting);
+    schemes::State state = scenes::start(meeting);
     schemes::VelocityVerlet verlet;
     schemes::FixedStep control{.step = 0.15 * std::pow(0.25, quarters)};
     const schemes::Outcome outcome = schemes::integrate(meeting, state, 3.0, verlet, control);
@@ -448,13 +448,13 @@ int run(int argc, char** argv) {
   //! which for Verlet's method is of the order \f$ (\omega\,\Delta t)^2 \f$ with \f$ \omega^2 = V''/m^* \f$.
 
   const kinematics::Particles cloud = cloud_of(p.side, line.common().seed);
-  const contact::NearField near_field{.alpha1 = p.alpha1, .alpha2 = p.alpha2};
-  const scenes::Scene without_contact{cloud, kinematics::Open{}, near_field};  // contact has no potential
-  const scenes::Scene scene{cloud, kinematics::Open{}, near_field,
+  const laws::NearField near_field{.alpha1 = p.alpha1, .alpha2 = p.alpha2};
+  const scenes::Scene without_contact{cloud, kinematics::Space{}, near_field};  // contact has no potential
+  const scenes::Scene scene{cloud, kinematics::Space{}, near_field,
                             contact::Contact<contact::Restitution, contact::Friction>{
                                 .restitution = falling, .friction = friction, .gamma = p.gamma}};
   const double total_mass = cloud.mass.sum();
-  schemes::Motion state = scenes::start(scene);
+  schemes::State state = scenes::start(scene);
   schemes::VelocityVerlet verlet;
   schemes::FixedStep control{.step = (line.common().quick ? 2.0 : 1.0) * p.step};
   report::Table ledger(
@@ -514,7 +514,7 @@ int run(int argc, char** argv) {
 
   output.write("checks", checks.table());
   line.write_parameters();
-  const std::string kernel(contact::name(contact::best_kernel()));
+  const std::string kernel(laws::name(laws::best_kernel()));
   report::write_stamp(output.folder(), report::make_stamp(line.line(), line.common().seed, kernel));
   fmt::print("{}", checks.table().text());
   return checks.all_hold() ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -34,7 +34,7 @@
 #include <particulate/contact/contact.hpp>
 #include <particulate/contact/located_contact.hpp>
 #include <particulate/kinematics/breathing.hpp>
-#include <particulate/scenes/gravity.hpp>
+#include <particulate/laws/gravity.hpp>
 #include <particulate/scenes/scene.hpp>
 #include <particulate/schemes/collocation.hpp>
 #include <particulate/schemes/coupled_pair.hpp>
@@ -66,7 +66,7 @@ struct Separation {
     a[0] = (force.B / r[0] - force.A) / (r[0] * r[0]);
     return r[0] > 0.0;
   }
-  double energy(const schemes::Motion& at) const {
+  double energy(const schemes::State& at) const {
     return 0.5 * at.v[0] * at.v[0] - (force.A - 0.5 * force.B / at.r[0]) / at.r[0];
   }
 };
@@ -75,7 +75,7 @@ struct Pair {
   Separation problem;
   kinematics::Breathing exact{problem.force, 1.0};
   explicit Pair(double repulsion) : problem{kinematics::breathing_pair(1.0, repulsion, 1.0, 1.0)} {}
-  static schemes::Motion start() { return {.t = 0.0, .r = Eigen::VectorXd::Ones(1), .v = Eigen::VectorXd::Zero(1)}; }
+  static schemes::State start() { return {.t = 0.0, .r = Eigen::VectorXd::Ones(1), .v = Eigen::VectorXd::Zero(1)}; }
 };
 
 //! The stiff problem of this half, van der Pol's oscillator, is slow but for two leaps a period:
@@ -96,7 +96,7 @@ double larger(double worst, double x) { return x <= worst || std::isnan(worst) ?
 // Largest error of the separation at any step of a run, NaN if it does not reach its end.
 template <class Scheme, class Control>
 std::pair<schemes::Outcome, double> follow(const Pair& pair, Scheme scheme, Control&& control, double t_end) {
-  schemes::Motion state = Pair::start();
+  schemes::State state = Pair::start();
   double worst = 0.0;
   const schemes::Outcome outcome = schemes::integrate(
       pair.problem, state, t_end, scheme, control, [&](const auto&, const auto& to, double, const auto&) {
@@ -155,8 +155,8 @@ report::Checks ch03::run(const Family& p, const report::Output& output, bool qui
     schemes::BackwardEuler euler;
     schemes::Collocation<schemes::Radau<1>, schemes::Picard> radau(
         {.guess = schemes::Guess::free_flight, .compensated = false});
-    const schemes::Motion from = Pair::start();
-    schemes::Motion by_euler, by_radau;
+    const schemes::State from = Pair::start();
+    schemes::State by_euler, by_radau;
     double off = 0.0;
     euler.predict(mild.problem, from, 0.05 * period, by_euler);
     radau.predict(mild.problem, from, 0.05 * period, by_radau);
@@ -227,7 +227,7 @@ report::Checks ch03::run(const Family& p, const report::Output& output, bool qui
 
   const double step = period / 8.0;
   const auto after_some = [&](auto scheme) {
-    schemes::Motion state = Pair::start();
+    schemes::State state = Pair::start();
     schemes::FixedStep control{.step = step};
     const schemes::Outcome outcome = schemes::integrate(mild.problem, state, 4.0 * step, scheme, control);
     return outcome.status == schemes::Status::reached ? changes(scheme, mild.problem, state, step, 16)
@@ -260,7 +260,7 @@ report::Checks ch03::run(const Family& p, const report::Output& output, bool qui
   const auto plane = [](std::complex<double> z) {
     return schemes::FirstOrderPair{.a = Eigen::Matrix2d{{-z.real(), z.imag()}, {-z.imag(), -z.real()}}};
   };
-  const schemes::Values one{.t = 0.0, .y = Eigen::Vector2d(1.0, 0.0)};
+  const schemes::State one{.t = 0.0, .y = Eigen::Vector2d(1.0, 0.0)};
   const auto spectral_radius = [](const Eigen::MatrixXcd& M) {
     return Eigen::ComplexEigenSolver<Eigen::MatrixXcd>(M, false).eigenvalues().cwiseAbs().maxCoeff();
   };
@@ -308,7 +308,7 @@ report::Checks ch03::run(const Family& p, const report::Output& output, bool qui
 
   const auto factor = [&](auto scheme, std::complex<double> z) {
     schemes::FirstOrderPair problem = plane(z);
-    schemes::Values y = one;
+    schemes::State y = one;
     schemes::FixedStep control{.step = 1.0};
     const bool reached = schemes::integrate(problem, y, 1.0, scheme, control).status == schemes::Status::reached;
     return reached ? y.y.norm() : no_number;
@@ -345,7 +345,7 @@ report::Checks ch03::run(const Family& p, const report::Output& output, bool qui
   //! Radau stages, of order nine, steered as in the next section.
 
   VanDerPol oscillator{p.mu};
-  schemes::Values leaping{.t = 0.0, .y = Eigen::Vector2d(2.0, 0.0)};
+  schemes::State leaping{.t = 0.0, .y = Eigen::Vector2d(2.0, 0.0)};
   schemes::Collocation<schemes::Radau<5>, Stiff> radau({.sizes = Eigen::Vector2d(1.0, 1e-3)});
   schemes::ErrorControl patient{
       .TOL = 1e-6, .sweep_TOL = 1e-8, .K_d = 3, .step = 1e-3, .limit = 2.0 * p.mu, .growth = 8.0};
@@ -439,7 +439,7 @@ report::Checks ch03::run(const Family& p, const report::Output& output, bool qui
   std::vector<std::array<double, 3>> off_moment;
   for (int n = 16; n <= 200; n = n * 5 / 4) {
     std::array<double, 3> off{no_number, no_number, no_number};
-    schemes::Motion state = Pair::start(), there;
+    schemes::State state = Pair::start(), there;
     schemes::Collocation<Four> scheme;
     schemes::FixedStep control{.step = period / n};
     const auto read = [&](const auto& from, const auto& to, double dt, const auto& made) {
@@ -477,8 +477,8 @@ report::Checks ch03::run(const Family& p, const report::Output& output, bool qui
                                    .velocity = kinematics::Vectors::Zero(1, 3),
                                    .mass = Eigen::VectorXd::Ones(1),
                                    .radius = Eigen::VectorXd::Constant(1, 0.1)};
-  const kinematics::Walled floor{{kinematics::Wall{}}};
-  const scenes::Gravity gravity{.g = {0.0, 0.0, -g}};
+  const kinematics::Space floor{{kinematics::Wall{}}};
+  const laws::Gravity gravity{.g = {0.0, 0.0, -g}};
   const scenes::Scene stepped(ball, floor, gravity, contact::Contact<>{.restitution = {p.e}});
   const scenes::Scene located(ball, floor, gravity, contact::LocatedContact<>{.restitution = {p.e}});
   struct Bounce {
@@ -486,7 +486,7 @@ report::Checks ch03::run(const Family& p, const report::Output& output, bool qui
     double off;  // of the first three impacts, the largest [s]
   };
   const auto bounce = [&](const auto& scene, auto scheme, double dt, double t_end) {
-    schemes::Motion state = scenes::start(scene);
+    schemes::State state = scenes::start(scene);
     schemes::FixedStep control{.step = dt};
     int impacts = 0;
     double off = 0.0, due = first_impact;
@@ -542,7 +542,7 @@ report::Checks ch03::run(const Family& p, const report::Output& output, bool qui
                         "largest in the last period [-]"});
   std::vector<std::vector<double>> largest;
   const auto drift = [&](const std::string& name, auto scheme, auto control, double n) {
-    schemes::Motion state = Pair::start();
+    schemes::State state = Pair::start();
     const double E_0 = mild.problem.energy(state);
     Separation problem = mild.problem;
     std::vector<double> of(static_cast<std::size_t>(periods), 0.0);

@@ -42,7 +42,7 @@
 #include <fmt/core.h>
 #include <Eigen/Eigenvalues>
 
-#include <particulate/contact/near_field.hpp>
+#include <particulate/laws/near_field.hpp>
 #include <particulate/kinematics/breathing.hpp>
 #include <particulate/report/checks.hpp>
 #include <particulate/report/command_line.hpp>
@@ -185,10 +185,10 @@ int run(int argc, char** argv) {
   const auto plane = [](std::complex<double> z) {
     return schemes::FirstOrderPair{.a = Eigen::Matrix2d{{-z.real(), z.imag()}, {-z.imag(), -z.real()}}};
   };
-  const schemes::Values one{.t = 0.0, .y = Eigen::Vector2d(1.0, 0.0)};
+  const schemes::State one{.t = 0.0, .y = Eigen::Vector2d(1.0, 0.0)};
   const auto step_once = [&](auto scheme, std::complex<double> z) {
     schemes::FirstOrderPair problem = plane(z);
-    schemes::Values y = one;
+    schemes::State y = one;
     schemes::FixedStep control{.step = 1.0, .contractions = 5000};
     const schemes::Outcome outcome = schemes::integrate(problem, y, 1.0, scheme, control);
     return std::pair(outcome, outcome.status == schemes::Status::reached ? y.y : Eigen::VectorXd::Constant(2, nan));
@@ -296,18 +296,18 @@ int run(int argc, char** argv) {
       {"omega Dt [-]", "phi = 1 [-]", "phi = 1/2 [-]", "phi = 1, velocities lag [-]", "Verlet, growth per step [-]"});
   Springs spring{Eigen::VectorXd::Ones(1)};
   const schemes::FirstOrderForm<Springs> spring_as_rates{spring};
-  const schemes::Motion drawn{.t = 0.0, .r = Eigen::VectorXd::Ones(1), .v = Eigen::VectorXd::Zero(1)};
+  const schemes::State drawn{.t = 0.0, .r = Eigen::VectorXd::Ones(1), .v = Eigen::VectorXd::Zero(1)};
   double off_spring = 0.0;
   for (const double dt : {0.5, 0.999, 1.001, 1.5, 1.999, 2.001}) {
     const double eta = contraction_of(sweep_by_hand(schemes::BackwardEuler{}, spring, drawn, dt, 4));
     const double eta_middle = contraction_of(sweep_by_hand(schemes::PhiFamily<>(0.5), spring, drawn, dt, 4));
-    const schemes::Values drawn_values{.t = 0.0, .y = Eigen::Vector2d(1.0, 0.0)};
+    const schemes::State drawn_values{.t = 0.0, .y = Eigen::Vector2d(1.0, 0.0)};
     const double lagging =
         contraction_of(sweep_by_hand(schemes::BackwardEuler{}, spring_as_rates, drawn_values, dt, 4));
     Eigen::Matrix2d step;
     for (Eigen::Index k = 0; k < 2; ++k) {
       const Eigen::Vector2d unit = Eigen::Vector2d::Unit(k);
-      schemes::Motion to;
+      schemes::State to;
       schemes::VelocityVerlet{}.predict(spring, {.t = 0.0, .r = unit.head(1), .v = unit.tail(1)}, dt, to);
       step.col(k) << to.r, to.v;
     }
@@ -334,8 +334,8 @@ int run(int argc, char** argv) {
   Springs springs{(Eigen::VectorXd::LinSpaced(p.springs, 1.0, p.springs) / p.springs).cwiseAbs2()};
   const schemes::FirstOrderForm<Springs> springs_as_rates{springs};
   const Eigen::VectorXd ones = Eigen::VectorXd::Ones(p.springs), zeros = Eigen::VectorXd::Zero(p.springs);
-  const schemes::Motion start{.t = 0.0, .r = ones, .v = zeros};
-  schemes::Values start_values{.t = 0.0, .y = Eigen::VectorXd(2 * p.springs)};
+  const schemes::State start{.t = 0.0, .r = ones, .v = zeros};
+  schemes::State start_values{.t = 0.0, .y = Eigen::VectorXd(2 * p.springs)};
   start_values.y << ones, zeros;
   report::Table histories({"omega Dt [-]", "K", "phi = 1", "phi = 1/2", "velocities lag", "Anderson"});
   for (const double dt : {0.5, 0.9, 1.1}) {
@@ -360,7 +360,7 @@ int run(int argc, char** argv) {
   report::Table refusals({"omega Dt [-]", "what the run says"});
   int refused = 0;
   for (const double dt : {1.001, 1.5}) {
-    schemes::Motion state = drawn;
+    schemes::State state = drawn;
     schemes::BackwardEuler scheme;
     schemes::FixedStep control{.step = dt, .TOL = p.TOL, .contractions = p.K_d};
     const schemes::Outcome outcome = schemes::integrate(spring, state, 10.0, scheme, control);
@@ -395,18 +395,18 @@ int run(int argc, char** argv) {
                                     .velocity = kinematics::Vectors::Zero(2, 3),
                                     .mass = Eigen::VectorXd::Ones(2),
                                     .radius = Eigen::VectorXd::Zero(2)};
-    return scenes::Scene(two, kinematics::Open{},
-                         contact::NearField{.alpha1 = 1.0, .alpha2 = stiffness, .beta1 = 2.0, .beta2 = 3.0});
+    return scenes::Scene(two, kinematics::Space{},
+                         laws::NearField{.alpha1 = 1.0, .alpha2 = stiffness, .beta1 = 2.0, .beta2 = 3.0});
   };
   const auto exact_of = [](double stiffness) {
     return kinematics::Breathing(kinematics::breathing_pair(1.0, stiffness, 1.0, 1.0), 1.0);
   };
-  const auto separation = [](const schemes::Motion& m) { return m.r[1] - m.r[0]; };
+  const auto separation = [](const schemes::State& m) { return m.r[1] - m.r[0]; };
   // Largest error of the separation at any step until t_end, and how the run went.
   const auto follow = [&](double stiffness, double phi, double t_end, auto& control, report::Table* path = nullptr) {
     const scenes::Scene scene = scene_of(stiffness);
     const kinematics::Breathing exact = exact_of(stiffness);
-    schemes::Motion state = scenes::start(scene);
+    schemes::State state = scenes::start(scene);
     schemes::PhiFamily<> scheme(phi);
     double worst = 0.0;
     const schemes::Outcome outcome =
@@ -557,7 +557,7 @@ int run(int argc, char** argv) {
                                        {.name = "w_2", .TOL = TOL_2, .p = exponent}};
   };
   const auto staggered_contraction = [&](const auto& pair, int unknowns, schemes::Seen seen, double dt) {
-    const schemes::Values from{.t = 0.0, .y = Eigen::VectorXd::LinSpaced(unknowns, 1.0, 2.0)};
+    const schemes::State from{.t = 0.0, .y = Eigen::VectorXd::LinSpaced(unknowns, 1.0, 2.0)};
     return contraction_of(sweep_by_hand(schemes::Staggered(fields(1, p.TOL, p.TOL), seen), pair, from, dt, 4));
   };
   report::Table staggering({"Dt [s]", "first order, newest", "first order, previous", "second order, newest",
@@ -595,7 +595,7 @@ int run(int argc, char** argv) {
   double off_at_once = 0.0;
   const auto cure = [&](const std::string& name, schemes::Staggered scheme, auto control) {
     schemes::FirstOrderPair problem = decaying;
-    schemes::Values w{.t = 0.0, .y = before};
+    schemes::State w{.t = 0.0, .y = before};
     Eigen::Vector2d at_once = before;
     double longest = 0.0;
     const schemes::Outcome outcome = schemes::integrate(problem, w, p.duration, scheme, control,
@@ -661,7 +661,7 @@ int run(int argc, char** argv) {
   output.write("checks", checks.table());
   const report::Checks of_family = ch03::run(family, output, quick);
   line.write_parameters();
-  const std::string kernel(contact::name(contact::best_kernel()));
+  const std::string kernel(laws::name(laws::best_kernel()));
   report::write_stamp(output.folder(), report::make_stamp(line.line(), line.common().seed, kernel));
   fmt::print("{}\n{}", checks.table().text(), of_family.table().text());
   return checks.all_hold() && of_family.all_hold() ? EXIT_SUCCESS : EXIT_FAILURE;

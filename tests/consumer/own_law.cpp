@@ -6,7 +6,7 @@
 
 #include <fmt/core.h>
 
-#include <particulate/contact/near_field.hpp>
+#include <particulate/laws/near_field.hpp>
 #include <particulate/kinematics/energy.hpp>
 #include <particulate/kinematics/momentum.hpp>
 #include <particulate/scenes/scene.hpp>
@@ -28,7 +28,7 @@ void validate(const Trap& trap) {
 }
 
 template <kinematics::Domain D>
-bool add_force(const Trap& trap, const D& domain, const contact::Places& at, contact::Forces force) {
+bool add_force(const Trap& trap, const D& domain, const laws::At<>& at, laws::Forces force) {
   const Eigen::Vector3d centre = Eigen::Vector3d::Zero();
   for (Eigen::Index i = 0; i < at.mass.size(); ++i) {
     const Eigen::Vector3d towards = separation(domain, at.position.row(i), centre);
@@ -38,7 +38,7 @@ bool add_force(const Trap& trap, const D& domain, const contact::Places& at, con
 }
 
 template <kinematics::Domain D>
-double potential_energy(const Trap& trap, const D& domain, const contact::Places& at) {
+double potential_energy(const Trap& trap, const D& domain, const laws::At<>& at) {
   double sum = 0.0;
   for (Eigen::Index i = 0; i < at.mass.size(); ++i) {
     const Eigen::Vector3d away = separation(domain, Eigen::Vector3d::Zero(), at.position.row(i));
@@ -57,11 +57,11 @@ int main() {
                                     .mass = Eigen::Vector3d{1.0, 2.0, 3.0},
                                     .radius = Eigen::VectorXd::Zero(3)};
   const mine::Trap trap{.rate = 2.0};
-  const contact::NearField near_field{.alpha1 = 0.5, .alpha2 = 0.25};
-  const scenes::Scene scene(cloud, kinematics::Open{}, near_field, trap);
+  const laws::NearField near_field{.alpha1 = 0.5, .alpha2 = 0.25};
+  const scenes::Scene scene(cloud, kinematics::Space{}, near_field, trap);
 
   const double t = 2.9;  // no multiple of a period
-  schemes::Motion state = scenes::start(scene);
+  schemes::State state = scenes::start(scene);
   schemes::RungeKutta4 scheme;
   schemes::FixedStep control{.step = 1e-3};
   const auto energy = [&] {

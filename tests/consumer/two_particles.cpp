@@ -4,7 +4,7 @@
 
 #include <fmt/core.h>
 
-#include <particulate/contact/near_field.hpp>
+#include <particulate/laws/near_field.hpp>
 #include <particulate/scenes/scene.hpp>
 #include <particulate/schemes/fixed_step.hpp>
 #include <particulate/schemes/integrate.hpp>
@@ -17,11 +17,11 @@ int main() {
                                         .velocity = kinematics::Vectors::Zero(2, 3),
                                         .mass = Eigen::VectorXd::Ones(2),
                                         .radius = Eigen::VectorXd::Zero(2)};
-  const contact::NearField near_field{.alpha1 = 1.0, .alpha2 = 0.5, .beta1 = 2.0, .beta2 = 3.0};
-  const scenes::Scene scene(particles, kinematics::Open{}, near_field);
+  const laws::NearField near_field{.alpha1 = 1.0, .alpha2 = 0.5, .beta1 = 2.0, .beta2 = 3.0};
+  const scenes::Scene scene(particles, kinematics::Space{}, near_field);
 
   const double half_a_period = 2.4183991523123 / 2.0;
-  schemes::Motion state = scenes::start(scene);
+  schemes::State state = scenes::start(scene);
   schemes::VelocityVerlet scheme;
   schemes::FixedStep control{.step = 1e-4};
   const schemes::Outcome outcome = schemes::integrate(scene, state, half_a_period, scheme, control);

@@ -11,7 +11,7 @@ namespace tests::contact_test {
 
 using boost::test_tools::tolerance;
 using particulate::contact::any_approach;
-using particulate::contact::Conservative;
+using particulate::laws::Conservative;
 using particulate::contact::ConstantRestitution;
 using particulate::contact::Contact;
 using particulate::contact::find_touching;
@@ -24,12 +24,12 @@ using particulate::contact::Resolution;
 using particulate::contact::Restitution;
 using particulate::contact::Touching;
 using particulate::contact::validate;
-using particulate::contact::Validated;
-using particulate::kinematics::Open;
+using particulate::laws::Validated;
+using particulate::kinematics::Space;
 using particulate::kinematics::Particles;
 using particulate::kinematics::Vectors;
 using particulate::kinematics::Wall;
-using particulate::kinematics::Walled;
+using particulate::kinematics::Space;
 using particulate::schemes::Jump;
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();

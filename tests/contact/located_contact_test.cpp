@@ -10,7 +10,7 @@
 namespace tests::located_contact_test {
 
 using boost::test_tools::tolerance;
-using particulate::contact::Conservative;
+using particulate::laws::Conservative;
 using particulate::contact::ConstantRestitution;
 using particulate::contact::Contact;
 using particulate::contact::find_touching;
@@ -19,7 +19,7 @@ using particulate::contact::Friction;
 using particulate::contact::Impacts;
 using particulate::contact::LocatedContact;
 using particulate::contact::LocatesImpacts;
-using particulate::contact::Moving;
+using particulate::laws::At<laws::Velocity>;
 using particulate::contact::Resolution;
 using particulate::contact::resolve_impacts;
 using particulate::contact::Restitution;
@@ -27,14 +27,14 @@ using particulate::contact::RoundingGap;
 using particulate::contact::Touching;
 using particulate::contact::touching_tolerance;
 using particulate::contact::validate;
-using particulate::contact::Validated;
-using particulate::kinematics::Open;
+using particulate::laws::Validated;
+using particulate::kinematics::Space;
 using particulate::kinematics::Particles;
 using particulate::kinematics::Vectors;
 using particulate::kinematics::Wall;
-using particulate::kinematics::Walled;
+using particulate::kinematics::Space;
 using particulate::schemes::Jump;
-using particulate::schemes::Motion;
+using particulate::schemes::State;
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 const Walled ground{{Wall{}}};

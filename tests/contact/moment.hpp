@@ -16,7 +16,7 @@ struct Moment {
   double t = 3.0;                                                                     ///< time [s]
 
   /// @return the view, as long as the moment lives
-  particulate::contact::Moving at() const {
+  particulate::laws::At<laws::Velocity> at() const {
     using particulate::kinematics::Vectors;
     const Eigen::Index N = particles.size();
     return {{.t = t,

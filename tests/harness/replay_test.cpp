@@ -29,7 +29,7 @@ struct Able {
   void jacobian(double t, schemes::In y, Eigen::MatrixXd& J) { J = -t * Eigen::MatrixXd::Identity(y.size(), y.size()); }
   schemes::Bandwidth bandwidth() const { return {.lower = 0, .upper = 1}; }
   double distance(schemes::In x, schemes::In y) const { return (x - y).norm(); }
-  schemes::Jump jump(schemes::Motion&, double) { return {.impacts = 5, .energy_change = 0.0, .unsettled = {}}; }
+  schemes::Jump jump(schemes::State&, double) { return {.impacts = 5, .energy_change = 0.0, .unsettled = {}}; }
   template <class Path>
   std::optional<double> first_jump(const Path&, double end) {
     return 0.5 * end;
@@ -116,7 +116,7 @@ BOOST_AUTO_TEST_CASE(serves_second_order_problems_too) {
 }
 
 BOOST_AUTO_TEST_CASE(has_the_abilities_of_its_problem_and_no_others) {
-  const auto path = [](double, schemes::Motion&) {};
+  const auto path = [](double, schemes::State&) {};
   static_assert(schemes::FirstOrderProblem<Replayed<Able>> && schemes::FirstOrderProblem<Recorded<Able>>);
   static_assert(schemes::Splits<Replayed<Able>> && schemes::Splits<Recorded<Able>>);
   static_assert(schemes::HasJacobian<Replayed<Able>> && schemes::HasJacobian<Recorded<Able>>);
@@ -124,8 +124,8 @@ BOOST_AUTO_TEST_CASE(has_the_abilities_of_its_problem_and_no_others) {
   static_assert(schemes::Measures<Replayed<Able>> && schemes::Measures<Recorded<Able>>);
   static_assert(schemes::LocatesJumps<Replayed<Able>, decltype(path)>);
   static_assert(schemes::LocatesJumps<Recorded<Able>, decltype(path)>);
-  static_assert(schemes::PositionProblem<Replayed<ByPosition>> && !schemes::MotionProblem<Replayed<ByPosition>>);
-  static_assert(schemes::MotionProblem<Recorded<ByMotion>> && !schemes::PositionProblem<Recorded<ByMotion>>);
+  static_assert(schemes::PositionProblem<Replayed<ByPosition>> && !schemes::StateProblem<Replayed<ByPosition>>);
+  static_assert(schemes::StateProblem<Recorded<ByMotion>> && !schemes::PositionProblem<Recorded<ByMotion>>);
   static_assert(!schemes::Measures<Replayed<ByPosition>> && !schemes::Jumps<Recorded<ByPosition>>);
   static_assert(schemes::HasJacobian<Recorded<ByPosition>> && schemes::HasJacobian<Replayed<ByPosition>>);
   static_assert(!schemes::HasJacobian<Recorded<ByMotion>> && !schemes::Splits<Replayed<ByPosition>>);
@@ -140,7 +140,7 @@ BOOST_AUTO_TEST_CASE(has_the_abilities_of_its_problem_and_no_others) {
   BOOST_TEST(J(1, 1) == -3.0);
   BOOST_TEST(recorded.bandwidth().upper == 1);
   BOOST_TEST(replayed.bandwidth().upper == 1);
-  schemes::Motion at;
+  schemes::State at;
   BOOST_TEST(replayed.jump(at, 0.1).impacts == 5);
   BOOST_TEST(replayed.first_jump(path, 1.0).value() == 0.5);
   BOOST_TEST(replayed.distance(one, 2.0 * one) == std::sqrt(2.0));

@@ -11,10 +11,10 @@ namespace tests::domain_test {
 using particulate::kinematics::Domain;
 using particulate::kinematics::HasWalls;
 using particulate::kinematics::height_above;
-using particulate::kinematics::Open;
+using particulate::kinematics::Space;
 using particulate::kinematics::validate;
 using particulate::kinematics::Wall;
-using particulate::kinematics::Walled;
+using particulate::kinematics::Space;
 
 struct WithoutSeparation {};
 

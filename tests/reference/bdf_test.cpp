@@ -22,11 +22,11 @@ using particulate::reference::integrate;
 using particulate::reference::Integrator;
 using particulate::schemes::Counted;
 using particulate::schemes::In;
-using particulate::schemes::Motion;
+using particulate::schemes::State;
 using particulate::schemes::Out;
 using particulate::schemes::Outcome;
 using particulate::schemes::Status;
-using particulate::schemes::Values;
+using particulate::schemes::State;
 
 constexpr double pi = std::numbers::pi;
 

@@ -21,11 +21,11 @@ using particulate::reference::ExplicitRungeKutta;
 using particulate::reference::Hit;
 using particulate::reference::Integrator;
 using particulate::schemes::In;
-using particulate::schemes::Motion;
+using particulate::schemes::State;
 using particulate::schemes::Out;
 using particulate::schemes::Outcome;
 using particulate::schemes::Status;
-using particulate::schemes::Values;
+using particulate::schemes::State;
 
 constexpr double pi = std::numbers::pi;
 const double not_a_number = std::numeric_limits<double>::quiet_NaN();

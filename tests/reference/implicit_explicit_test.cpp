@@ -21,11 +21,11 @@ using particulate::reference::name;
 using particulate::reference::order;
 using particulate::schemes::Counted;
 using particulate::schemes::In;
-using particulate::schemes::Motion;
+using particulate::schemes::State;
 using particulate::schemes::Out;
 using particulate::schemes::Outcome;
 using particulate::schemes::Status;
-using particulate::schemes::Values;
+using particulate::schemes::State;
 
 bool holds(const std::string& text, const std::string& words) { return text.find(words) != std::string::npos; }
 

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include <boost/test/unit_test.hpp>
-#include <particulate/contact/near_field.hpp>
+#include <particulate/laws/near_field.hpp>
 #include <particulate/kinematics/breathing.hpp>
 #include <particulate/reference/fixed_point.hpp>
 #include <particulate/scenes/scene.hpp>
@@ -40,11 +40,11 @@ using particulate::reference::solve_fixed_point;
 using particulate::reference::Table;
 using particulate::reference::tables;
 using particulate::schemes::In;
-using particulate::schemes::Motion;
+using particulate::schemes::State;
 using particulate::schemes::Out;
 using particulate::schemes::Outcome;
 using particulate::schemes::Status;
-using particulate::schemes::Values;
+using particulate::schemes::State;
 
 constexpr double pi = std::numbers::pi;
 
@@ -195,8 +195,8 @@ BOOST_AUTO_TEST_CASE(one_scene_object_serves_sundials_and_our_schemes) {
                              .radius = Eigen::VectorXd::Zero(2)};
   pair.position(0, 0) = -0.5;
   pair.position(1, 0) = 0.5;
-  const contact::NearField law{.alpha1 = 1.0, .alpha2 = 0.5, .beta1 = 2.0, .beta2 = 3.0};
-  const scenes::Scene scene(pair, kinematics::Open{}, law);
+  const laws::NearField law{.alpha1 = 1.0, .alpha2 = 0.5, .beta1 = 2.0, .beta2 = 3.0};
+  const scenes::Scene scene(pair, kinematics::Space{}, law);
   const kinematics::Breathing exact(kinematics::breathing_pair(1.0, 0.5, 1.0, 1.0), 1.0);
   const double t_end = 0.7 * exact.period();
   const auto radial = [](const Motion& at) { return Eigen::Vector2d(at.r[1] - at.r[0], at.v[1] - at.v[0]); };

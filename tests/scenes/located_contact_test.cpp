@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include <particulate/scenes/gravity.hpp>
+#include <particulate/laws/gravity.hpp>
 #include <particulate/scenes/scene.hpp>
 #include <particulate/schemes/events.hpp>
 #include <particulate/schemes/fixed_step.hpp>
@@ -19,12 +19,12 @@ using boost::test_tools::tolerance;
 using particulate::contact::ConstantRestitution;
 using particulate::contact::Contact;
 using particulate::contact::LocatedContact;
-using particulate::kinematics::Open;
+using particulate::kinematics::Space;
 using particulate::kinematics::Particles;
 using particulate::kinematics::Vectors;
 using particulate::kinematics::Wall;
-using particulate::kinematics::Walled;
-using particulate::scenes::Gravity;
+using particulate::kinematics::Space;
+using particulate::laws::Gravity;
 using particulate::scenes::Scene;
 using particulate::scenes::start;
 using particulate::schemes::Counted;
@@ -34,7 +34,7 @@ using particulate::schemes::FixedStep;
 using particulate::schemes::In;
 using particulate::schemes::integrate;
 using particulate::schemes::LocatesJumps;
-using particulate::schemes::Motion;
+using particulate::schemes::State;
 using particulate::schemes::Out;
 using particulate::schemes::Outcome;
 using particulate::schemes::Status;
@@ -51,7 +51,7 @@ const Walled ground{{Wall{}}};
 
 // Has no value below 1 m.
 struct Above {};
-bool add_force(const Above&, const Walled&, const particulate::contact::Places& at, particulate::contact::Forces) {
+bool add_force(const Above&, const Walled&, const particulate::laws::At<>& at, particulate::laws::Forces) {
   return (at.position.col(2).array() > 1.0).all();
 }
 

@@ -5,9 +5,9 @@
 #include <stdexcept>
 
 #include <particulate/contact/contact.hpp>
-#include <particulate/contact/near_field.hpp>
+#include <particulate/laws/near_field.hpp>
 #include <particulate/kinematics/similarity.hpp>
-#include <particulate/scenes/gravity.hpp>
+#include <particulate/laws/gravity.hpp>
 #include <particulate/schemes/fixed_step.hpp>
 #include <particulate/schemes/integrate.hpp>
 #include <particulate/schemes/verlet.hpp>
@@ -19,21 +19,21 @@ namespace tests::scene_test {
 using boost::test_tools::tolerance;
 using particulate::contact::ConstantRestitution;
 using particulate::contact::Contact;
-using particulate::contact::Forces;
+using particulate::laws::Forces;
 using particulate::contact::Friction;
-using particulate::contact::Moving;
-using particulate::contact::NearField;
-using particulate::contact::Places;
+using particulate::laws::At<laws::Velocity>;
+using particulate::laws::NearField;
+using particulate::laws::At<>;
 using particulate::contact::Resolution;
 using particulate::contact::Restitution;
 using particulate::kinematics::CentralForce;
-using particulate::kinematics::Open;
+using particulate::kinematics::Space;
 using particulate::kinematics::Particles;
 using particulate::kinematics::Scales;
 using particulate::kinematics::Vectors;
 using particulate::kinematics::Wall;
-using particulate::kinematics::Walled;
-using particulate::scenes::Gravity;
+using particulate::kinematics::Space;
+using particulate::laws::Gravity;
 using particulate::scenes::Scene;
 using particulate::scenes::start;
 using particulate::schemes::FixedStep;
@@ -41,8 +41,8 @@ using particulate::schemes::integrate;
 using particulate::schemes::Jump;
 using particulate::schemes::Jumps;
 using particulate::schemes::Measures;
-using particulate::schemes::Motion;
-using particulate::schemes::MotionProblem;
+using particulate::schemes::State;
+using particulate::schemes::StateProblem;
 using particulate::schemes::Outcome;
 using particulate::schemes::PositionProblem;
 using particulate::schemes::Status;
@@ -213,7 +213,7 @@ BOOST_AUTO_TEST_CASE(has_no_value_where_one_of_its_laws_has_none) {
 BOOST_AUTO_TEST_CASE(has_no_value_where_an_acceleration_is_too_large) {
   Particles light = two_particles();
   light.mass[0] = 1e-300;
-  const Scene scene(light, Open{}, NearField{.alpha1 = 1e300, .scaling = particulate::contact::Scaling::pair});
+  const Scene scene(light, Open{}, NearField{.alpha1 = 1e300, .scaling = particulate::laws::Scaling::pair});
   Eigen::VectorXd a(6);
   BOOST_TEST(scene.total_force(start(scene), a));
   BOOST_TEST(!scene.acceleration(0.0, start(scene).r, a));

@@ -27,7 +27,7 @@ using particulate::schemes::In;
 using particulate::schemes::integrate;
 using particulate::schemes::Iteration;
 using particulate::schemes::Iterative;
-using particulate::schemes::Motion;
+using particulate::schemes::State;
 using particulate::schemes::Newton;
 using particulate::schemes::Out;
 using particulate::schemes::Outcome;
@@ -35,7 +35,7 @@ using particulate::schemes::Picard;
 using particulate::schemes::Radau;
 using particulate::schemes::Truncation;
 using particulate::schemes::validate;
-using particulate::schemes::Values;
+using particulate::schemes::State;
 
 using Gauss3 = Collocation<Gauss<3>>;
 using Stiff = Collocation<Radau<3>, Newton<>>;

@@ -10,7 +10,7 @@ using particulate::schemes::HasJacobian;
 using particulate::schemes::MeasuresFields;
 using particulate::schemes::SecondOrderPair;
 using particulate::schemes::StaggeredProblem;
-using particulate::schemes::Values;
+using particulate::schemes::State;
 
 static_assert(FirstOrderProblem<FirstOrderPair> && HasJacobian<FirstOrderPair> &&
               StaggeredProblem<FirstOrderPair, Values> && !MeasuresFields<FirstOrderPair>);

@@ -8,10 +8,10 @@ namespace tests::euler_test {
 
 using particulate::schemes::ForwardEuler;
 using particulate::schemes::In;
-using particulate::schemes::Motion;
+using particulate::schemes::State;
 using particulate::schemes::Out;
 using particulate::schemes::Scheme;
-using particulate::schemes::Values;
+using particulate::schemes::State;
 
 // No value before t = 0.
 struct Damped {

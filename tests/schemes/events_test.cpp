@@ -31,13 +31,13 @@ using particulate::schemes::In;
 using particulate::schemes::integrate;
 using particulate::schemes::Iteration;
 using particulate::schemes::Jump;
-using particulate::schemes::Motion;
+using particulate::schemes::State;
 using particulate::schemes::Out;
 using particulate::schemes::Outcome;
 using particulate::schemes::Status;
 using particulate::schemes::Unobserved;
 using particulate::schemes::validate;
-using particulate::schemes::Values;
+using particulate::schemes::State;
 using particulate::schemes::Watch;
 using particulate::schemes::WatchSettings;
 

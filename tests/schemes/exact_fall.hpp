@@ -16,7 +16,7 @@ struct ExactFall {
   Eigen::VectorXd a{};
 
   template <class P>
-  bool predict(P& problem, const particulate::schemes::Motion& from, double dt, particulate::schemes::Motion& to) {
+  bool predict(P& problem, const particulate::schemes::State& from, double dt, particulate::schemes::State& to) {
     a.resize(from.r.size());
     if (!problem.acceleration(from.t, from.r, a)) return false;
     at(from, dt, 1.0, to);
@@ -24,8 +24,8 @@ struct ExactFall {
   }
   void accept(double) { ++accepted; }
   void forget() { ++forgotten; }
-  void at(const particulate::schemes::Motion& from, double dt, double theta,
-          particulate::schemes::Motion& there) const {
+  void at(const particulate::schemes::State& from, double dt, double theta,
+          particulate::schemes::State& there) const {
     const double t = theta * dt;
     there.t = from.t + t;
     there.r = from.r + t * from.v + (0.5 * t * t) * a;
@@ -40,7 +40,7 @@ struct ExactSine {
   int forgotten = 0;
 
   template <class P>
-  bool predict(P& problem, const particulate::schemes::Values& from, double dt, particulate::schemes::Values& to) {
+  bool predict(P& problem, const particulate::schemes::State& from, double dt, particulate::schemes::State& to) {
     Eigen::VectorXd dy(1);
     if (!problem.rate(from.t + dt, from.y, dy)) return false;
     at(from, dt, 1.0, to);
@@ -48,8 +48,8 @@ struct ExactSine {
   }
   void accept(double) {}
   void forget() { ++forgotten; }
-  void at(const particulate::schemes::Values& from, double dt, double theta,
-          particulate::schemes::Values& there) const {
+  void at(const particulate::schemes::State& from, double dt, double theta,
+          particulate::schemes::State& there) const {
     there.t = from.t + theta * dt;
     there.y = Eigen::VectorXd::Constant(1, std::sin(there.t));
   }

@@ -29,7 +29,7 @@ using particulate::schemes::integrate;
 using particulate::schemes::is_finite;
 using particulate::schemes::Iteration;
 using particulate::schemes::Jump;
-using particulate::schemes::Motion;
+using particulate::schemes::State;
 using particulate::schemes::Out;
 using particulate::schemes::Outcome;
 using particulate::schemes::PhiControl;
@@ -38,7 +38,7 @@ using particulate::schemes::RungeKutta4;
 using particulate::schemes::Status;
 using particulate::schemes::step_towards_end;
 using particulate::schemes::validate_run;
-using particulate::schemes::Values;
+using particulate::schemes::State;
 using particulate::schemes::VelocityVerlet;
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
@@ -154,7 +154,7 @@ BOOST_AUTO_TEST_SUITE(validate_run_)
 
 BOOST_AUTO_TEST_CASE(accepts_a_run_of_no_length_and_a_state_of_no_length) {
   BOOST_CHECK_NO_THROW(validate_run(displaced(), 0.0));
-  BOOST_CHECK_NO_THROW(validate_run(Motion{}, 1.0));
+  BOOST_CHECK_NO_THROW(validate_run(State{}, 1.0));
   BOOST_CHECK_NO_THROW(validate_run(Values{}, 1.0));
 }
 
@@ -179,9 +179,9 @@ BOOST_AUTO_TEST_CASE(refuses_positions_and_velocities_of_different_lengths) {
 
 BOOST_AUTO_TEST_CASE(names_the_entry_that_is_not_finite) {
   const Eigen::Vector3d bad(0.0, 1.0, not_a_number), good = Eigen::Vector3d::Zero();
-  BOOST_CHECK_EXCEPTION(validate_run(Motion{0.0, bad, good}, 1.0), std::invalid_argument,
+  BOOST_CHECK_EXCEPTION(validate_run(State{0.0, bad, good}, 1.0), std::invalid_argument,
                         says("positions must start finite, got nan in entry 2"));
-  BOOST_CHECK_EXCEPTION(validate_run(Motion{0.0, good, bad}, 1.0), std::invalid_argument,
+  BOOST_CHECK_EXCEPTION(validate_run(State{0.0, good, bad}, 1.0), std::invalid_argument,
                         says("velocities must start finite, got nan in entry 2"));
   BOOST_CHECK_EXCEPTION(validate_run(Values{0.0, bad}, 1.0), std::invalid_argument,
                         says("values must start finite, got nan in entry 2"));
@@ -193,10 +193,10 @@ BOOST_AUTO_TEST_SUITE(is_finite_)
 
 BOOST_AUTO_TEST_CASE(looks_at_every_number) {
   const Eigen::Vector2d good(1.0, -1e308), bad(0.0, -infinity);
-  BOOST_TEST(is_finite(Motion{0.0, good, good}));
-  BOOST_TEST(!is_finite(Motion{0.0, bad, good}));
-  BOOST_TEST(!is_finite(Motion{0.0, good, bad}));
-  BOOST_TEST(!is_finite(Motion{not_a_number, good, good}));
+  BOOST_TEST(is_finite(State{0.0, good, good}));
+  BOOST_TEST(!is_finite(State{0.0, bad, good}));
+  BOOST_TEST(!is_finite(State{0.0, good, bad}));
+  BOOST_TEST(!is_finite(State{not_a_number, good, good}));
   BOOST_TEST(is_finite(Values{0.0, good}));
   BOOST_TEST(!is_finite(Values{0.0, bad}));
   BOOST_TEST(!is_finite(Values{infinity, good}));

@@ -19,7 +19,7 @@ using particulate::schemes::NewtonSteps;
 using particulate::schemes::Out;
 using particulate::schemes::SparseStages;
 using particulate::schemes::StageEquations;
-using particulate::schemes::Values;
+using particulate::schemes::State;
 
 // Each value sees its neighbours: dy_i = y_{i-1} - 3 y_i + 2 y_{i+1}.
 struct Chain {

@@ -21,12 +21,12 @@ using particulate::schemes::In;
 using particulate::schemes::integrate;
 using particulate::schemes::Iteration;
 using particulate::schemes::Iterative;
-using particulate::schemes::Motion;
+using particulate::schemes::State;
 using particulate::schemes::Out;
 using particulate::schemes::Outcome;
 using particulate::schemes::PhiFamily;
 using particulate::schemes::Picard;
-using particulate::schemes::Values;
+using particulate::schemes::State;
 
 struct Spring {
   double stiffness = 1.0;

@@ -22,14 +22,14 @@ using particulate::schemes::Jumps;
 using particulate::schemes::LocatesJumps;
 using particulate::schemes::Measures;
 using particulate::schemes::MeasuresFields;
-using particulate::schemes::Motion;
-using particulate::schemes::MotionProblem;
+using particulate::schemes::State;
+using particulate::schemes::StateProblem;
 using particulate::schemes::Out;
 using particulate::schemes::PositionProblem;
 using particulate::schemes::SecondOrderProblem;
 using particulate::schemes::Splits;
 using particulate::schemes::StaggeredProblem;
-using particulate::schemes::Values;
+using particulate::schemes::State;
 
 using Path = double (*)(double, const Motion&);
 using Sparse = Eigen::SparseMatrix<double>;

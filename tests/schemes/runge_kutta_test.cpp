@@ -16,12 +16,12 @@ using particulate::schemes::acceleration_of;
 using particulate::schemes::FixedStep;
 using particulate::schemes::In;
 using particulate::schemes::integrate;
-using particulate::schemes::Motion;
+using particulate::schemes::State;
 using particulate::schemes::Out;
 using particulate::schemes::Outcome;
 using particulate::schemes::RungeKutta4;
 using particulate::schemes::Status;
-using particulate::schemes::Values;
+using particulate::schemes::State;
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
@@ -151,7 +151,7 @@ BOOST_AUTO_TEST_CASE(takes_the_first_five_terms_of_the_circle) {
   } problem;
   RungeKutta4 scheme;
   Motion to;
-  BOOST_TEST(scheme.predict(problem, Motion{0.0, Eigen::VectorXd::Ones(1), Eigen::VectorXd::Zero(1)}, 1.0, to));
+  BOOST_TEST(scheme.predict(problem, State{0.0, Eigen::VectorXd::Ones(1), Eigen::VectorXd::Zero(1)}, 1.0, to));
   BOOST_TEST(to.r[0] == 13.0 / 24.0, tolerance(2.0 * eps));
   BOOST_TEST(to.v[0] == -5.0 / 6.0, tolerance(2.0 * eps));
 }

@@ -17,13 +17,13 @@ using particulate::schemes::Dense;
 using particulate::schemes::In;
 using particulate::schemes::Iteration;
 using particulate::schemes::Iterative;
-using particulate::schemes::Motion;
+using particulate::schemes::State;
 using particulate::schemes::Out;
 using particulate::schemes::Outcome;
 using particulate::schemes::RungeKutta4;
 using particulate::schemes::Scheme;
 using particulate::schemes::Status;
-using particulate::schemes::Values;
+using particulate::schemes::State;
 using particulate::schemes::VelocityVerlet;
 
 struct Spring {

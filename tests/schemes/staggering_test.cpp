@@ -26,7 +26,7 @@ using particulate::schemes::SecondOrderPair;
 using particulate::schemes::Seen;
 using particulate::schemes::Staggered;
 using particulate::schemes::Staggers;
-using particulate::schemes::Values;
+using particulate::schemes::State;
 
 static_assert(Iterative<Staggered, FirstOrderPair, Values> && Staggers<Staggered>);
 

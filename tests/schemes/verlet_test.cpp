@@ -15,7 +15,7 @@ using particulate::schemes::Counted;
 using particulate::schemes::FixedStep;
 using particulate::schemes::In;
 using particulate::schemes::integrate;
-using particulate::schemes::Motion;
+using particulate::schemes::State;
 using particulate::schemes::Out;
 using particulate::schemes::Outcome;
 using particulate::schemes::VelocityVerlet;

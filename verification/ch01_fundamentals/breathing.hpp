@@ -100,7 +100,7 @@ inline void compare_errors(Rows& rows, const std::string& which, const Breathing
 
 /// Adds one moment to the errors: body i is at r(t) times row i of the shape.
 inline void compare_with(const ExactBreathing& exact, const particulate::kinematics::Vectors& shape,
-                         const particulate::schemes::Motion& computed, BreathingErrors& worst) {
+                         const particulate::schemes::State& computed, BreathingErrors& worst) {
   const particulate::kinematics::Radial at = exact.motion.at(computed.t);
   const auto r = rows_of(computed.r);
   const auto v = rows_of(computed.v);
@@ -115,7 +115,7 @@ inline void compare_with(const ExactBreathing& exact, const particulate::kinemat
 /// Errors at every tenth of a period; `move(state, t_end)` integrates.
 template <class Move>
 BreathingErrors errors_at_tenths(const ExactBreathing& exact, const particulate::kinematics::Vectors& shape,
-                                 particulate::schemes::Motion state, int tenths, const Move& move) {
+                                 particulate::schemes::State state, int tenths, const Move& move) {
   BreathingErrors worst;
   for (int k = 1; k <= tenths; ++k) {
     move(state, exact.motion.period() * k / 10.0);

@@ -27,7 +27,7 @@ void compare(Rows& rows, const Pair& pair, const ExactBreathing& exact, const st
                        {.alpha1 = pair.alpha1, .alpha2 = 0.5 * pair.alpha1, .beta1 = 2.0, .beta2 = 3.0});
   const BreathingErrors worst =
       errors_at_tenths(exact, pair_shape(pair.m_i, pair.m_j), scenes::start(scene), 30,
-                       [&](schemes::Motion& state, double t_end) { move(scene, state, t_end); });
+                       [&](schemes::State& state, double t_end) { move(scene, state, t_end); });
   compare_errors(rows, fmt::format(" of each body, {}, masses {} and {}", method, pair.m_i, pair.m_j), worst, allowed);
 }
 
@@ -40,14 +40,14 @@ void compare(Rows& rows, const Pair& pair) {
                 .tolerance = relative(1e-15),
                 .because = "alpha1 (m_i + m_j) is rounded twice"});
   compare(rows, pair, exact, "RK4", allowed_to_steps(exact, 4, period / 5000.0),
-          [](auto& scene, schemes::Motion& state, double t_end) {
+          [](auto& scene, schemes::State& state, double t_end) {
             advance<schemes::RungeKutta4>(scene, state, t_end, 500);
           });
   // The heavy body moves by 1e-12 m only: the absolute tolerance must lie below that.
   reference::ExplicitRungeKutta fine = fehlberg;
   fine.absolute = 1e-26;
   compare(rows, pair, exact, "ARKODE Fehlberg 13(7,8)", allowed_to_tolerance(exact, global_of_runge_kutta),
-          [&](auto& scene, schemes::Motion& state, double t_end) { advance_by(fine, scene, state, t_end); });
+          [&](auto& scene, schemes::State& state, double t_end) { advance_by(fine, scene, state, t_end); });
 }
 
 const Case breathing_masses{

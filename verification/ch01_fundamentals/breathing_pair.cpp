@@ -38,7 +38,7 @@ ExactBreathing exact_pair(double alpha2) {
   return {.force = kinematics::breathing_pair(1.0, alpha2, 1.0, 1.0), .r_0 = 1.0};
 }
 
-contact::NearField near_field(double alpha2) { return {.alpha1 = 1.0, .alpha2 = alpha2, .beta1 = 2.0, .beta2 = 3.0}; }
+laws::NearField near_field(double alpha2) { return {.alpha1 = 1.0, .alpha2 = alpha2, .beta1 = 2.0, .beta2 = 3.0}; }
 
 void compare_table(Rows& rows, const Line& line) {
   const ExactBreathing exact = exact_pair(line.alpha2);
@@ -59,7 +59,7 @@ void compare_table(Rows& rows, const Line& line) {
   rows.compare(
       "peak force [N]" + which,
       {.expected = line.peak,
-       .computed = -strength(contact::pair_law(near_field(line.alpha2), 1.0, 1.0), exact.motion.nearest()),
+       .computed = -strength(laws::pair_law(near_field(line.alpha2), 1.0, 1.0), exact.motion.nearest()),
        .tolerance = relative(2e-15),
        .because = "-C(r_min) = (1 - alpha2) (2 - alpha2)^2/alpha2^2 by hand; the rounding of r_min counts thrice"});
 }
@@ -111,7 +111,7 @@ void compare_run(Rows& rows, double alpha2, const std::string& method, const All
   NearFieldScene scene(pair_at_rest(1.0, 1.0, 1.0), {}, near_field(alpha2));
   const BreathingErrors worst =
       errors_at_tenths(exact_pair(alpha2), pair_shape(1.0, 1.0), scenes::start(scene), 30,
-                       [&](schemes::Motion& state, double t_end) { move(scene, state, t_end); });
+                       [&](schemes::State& state, double t_end) { move(scene, state, t_end); });
   compare_errors(rows, fmt::format(" at thirty tenths of a period, {}, alpha2 = {}", method, alpha2), worst, allowed);
 }
 
@@ -121,13 +121,13 @@ void compare_steps(Rows& rows, double alpha2, const std::string& method, long st
   const double h = exact.motion.period() / 10.0 / static_cast<double>(steps_a_tenth);
   compare_run(
       rows, alpha2, method, allowed_to_steps(exact, S::order, h),
-      [&](auto& scene, schemes::Motion& state, double t_end) { advance<S>(scene, state, t_end, steps_a_tenth); });
+      [&](auto& scene, schemes::State& state, double t_end) { advance<S>(scene, state, t_end, steps_a_tenth); });
 }
 
 void compare_reference(Rows& rows, double alpha2, const std::string& name, double global,
                        const reference::Method& method) {
   compare_run(rows, alpha2, name, allowed_to_tolerance(exact_pair(alpha2), global),
-              [&](auto& scene, schemes::Motion& state, double t_end) { advance_by(method, scene, state, t_end); });
+              [&](auto& scene, schemes::State& state, double t_end) { advance_by(method, scene, state, t_end); });
 }
 
 const Case breathing_pair{

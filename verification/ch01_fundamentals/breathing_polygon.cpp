@@ -52,7 +52,7 @@ void compare_run(Rows& rows, int N, const std::string& method, int periods, cons
                        {.alpha1 = 1.0, .alpha2 = alpha2, .beta1 = 2.0, .beta2 = 3.0});
   const BreathingErrors worst =
       errors_at_tenths(exact_polygon(N), corners, scenes::start(scene), 10 * periods,
-                       [&](schemes::Motion& state, double t_end) { move(scene, state, t_end); });
+                       [&](schemes::State& state, double t_end) { move(scene, state, t_end); });
   compare_errors(rows, fmt::format(" at {} tenths of a period, {}, N = {}", 10 * periods, method, N), worst,
                  with_growth(allowed, periods));
 }
@@ -60,13 +60,13 @@ void compare_run(Rows& rows, int N, const std::string& method, int periods, cons
 void compare_runs(Rows& rows, int N, int periods) {
   const ExactBreathing exact = exact_polygon(N);
   compare_run(rows, N, "RK4", periods, allowed_to_steps(exact, 4, exact.motion.period() / 5000.0),
-              [](auto& scene, schemes::Motion& state, double t_end) {
+              [](auto& scene, schemes::State& state, double t_end) {
                 advance<schemes::RungeKutta4>(scene, state, t_end, 500);
               });
   compare_run(rows, N, "ARKODE Fehlberg 13(7,8)", periods, allowed_to_tolerance(exact, global_of_runge_kutta),
-              [](auto& scene, schemes::Motion& state, double t_end) { advance_by(fehlberg, scene, state, t_end); });
+              [](auto& scene, schemes::State& state, double t_end) { advance_by(fehlberg, scene, state, t_end); });
   compare_run(rows, N, "CVODE Adams", periods, allowed_to_tolerance(exact, global_of_adams),
-              [](auto& scene, schemes::Motion& state, double t_end) { advance_by(adams, scene, state, t_end); });
+              [](auto& scene, schemes::State& state, double t_end) { advance_by(adams, scene, state, t_end); });
 }
 
 const Case breathing_polygon{

@@ -28,7 +28,7 @@ struct Errors {
 template <class Move>
 Errors errors_at_tenths(const kinematics::Breathing& exact, const Move& move) {
   NearFieldScene scene = turning::pair();
-  schemes::Motion state = scenes::start(scene);
+  schemes::State state = scenes::start(scene);
   Errors worst;
   double phi = 0.0;
   for (int k = 1; k <= 30; ++k) {
@@ -85,11 +85,11 @@ const Case breathing_rotating{
       // (omega h)^4/120 over 6 radians, with 4.4/s along and 3.2/s around at r_min: 5.5/s, h = 4.9e-4 s.
       compare(rows, "RK4", 4e-12,
               "5.5/s at r_min times h = 4.9e-4 s gives 3e-12 in three periods, and 1e-12 of rounding",
-              [](auto& moving, schemes::Motion& state, double t_end) {
+              [](auto& moving, schemes::State& state, double t_end) {
                 advance<schemes::RungeKutta4>(moving, state, t_end, 500);
               });
       compare(rows, "CVODE Adams", global_of_adams, "its global error with a tolerance of 1e-14",
-              [](auto& moving, schemes::Motion& state, double t_end) { advance_by(adams, moving, state, t_end); });
+              [](auto& moving, schemes::State& state, double t_end) { advance_by(adams, moving, state, t_end); });
     }};
 
 }  // namespace verification::breathing_rotating

@@ -57,18 +57,18 @@ void compare_run(Rows& rows, const Solid& solid, const std::string& method, cons
   // One period, because the motion is unstable.
   const BreathingErrors worst =
       errors_at_tenths({.force = from_chords(solid), .r_0 = 1.0}, corners, scenes::start(scene), 10,
-                       [&](schemes::Motion& state, double t_end) { move(scene, state, t_end); });
+                       [&](schemes::State& state, double t_end) { move(scene, state, t_end); });
   compare_errors(rows, fmt::format(" at ten tenths of a period, {}, {} faces", method, solid.faces), worst, allowed);
 }
 
 void compare_runs(Rows& rows, const Solid& solid) {
   const ExactBreathing exact{.force = from_chords(solid), .r_0 = 1.0};
   compare_run(rows, solid, "RK4", allowed_to_steps(exact, 4, exact.motion.period() / 5000.0),
-              [](auto& scene, schemes::Motion& state, double t_end) {
+              [](auto& scene, schemes::State& state, double t_end) {
                 advance<schemes::RungeKutta4>(scene, state, t_end, 500);
               });
   compare_run(rows, solid, "ARKODE Fehlberg 13(7,8)", allowed_to_tolerance(exact, global_of_runge_kutta),
-              [](auto& scene, schemes::Motion& state, double t_end) { advance_by(fehlberg, scene, state, t_end); });
+              [](auto& scene, schemes::State& state, double t_end) { advance_by(fehlberg, scene, state, t_end); });
 }
 
 const Case breathing_solids{

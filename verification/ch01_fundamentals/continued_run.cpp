@@ -15,31 +15,31 @@ using namespace particulate;
 
 // Goes on with a scheme that may have a past; returns the number of right-hand sides.
 template <class S>
-long go_on(NearFieldScene& scene, schemes::Motion& state, double t_end, S& scheme) {
+long go_on(NearFieldScene& scene, schemes::State& state, double t_end, S& scheme) {
   schemes::FixedStep control{.step = 1.0 / 64.0};
   const schemes::Outcome outcome = integrate(scene, state, t_end, scheme, control);
   require_reached(outcome);
   return outcome.evaluations;
 }
 
-long differing(const schemes::Motion& one, const schemes::Motion& other) {
+long differing(const schemes::State& one, const schemes::State& other) {
   return (one.r.array() != other.r.array()).count() + (one.v.array() != other.v.array()).count();
 }
 
 // One particle is somewhere else, nothing else has changed.
-schemes::Motion disturbed(schemes::Motion state) {
+schemes::State disturbed(schemes::State state) {
   state.r[3] += 0.125;
   return state;
 }
 
 template <class S>
 void compare(Rows& rows, const std::string& method, NearFieldScene& scene, long evaluations) {
-  const schemes::Motion start = scenes::start(scene);
+  const schemes::State start = scenes::start(scene);
   S in_one, in_two, fresh;
-  schemes::Motion whole = start, parts = start;
+  schemes::State whole = start, parts = start;
   const long asked = go_on(scene, whole, 1.0, in_one);
   go_on(scene, parts, 0.5, in_two);
-  schemes::Motion moved = disturbed(parts), anew = moved;
+  schemes::State moved = disturbed(parts), anew = moved;
   S with_past = in_two;
   go_on(scene, parts, 1.0, in_two);
   rows.equal("components that differ, one run and two parts, " + method,

@@ -15,18 +15,18 @@ namespace verification::energy_in_time {
 
 using namespace particulate;
 
-double total_energy(const NearFieldScene& scene, const schemes::Motion& at) {
+double total_energy(const NearFieldScene& scene, const schemes::State& at) {
   return kinematics::kinetic_energy(scene.particles().mass, rows_of(at.v)) + scene.potential_energy(at);
 }
 
 // Errors of the total energy at t_end, over the kinetic energy there at the finest step.
 template <class S>
 std::vector<double> energy_errors(NearFieldScene& scene, double t_end, const std::vector<double>& steps) {
-  const schemes::Motion start = scenes::start(scene);
+  const schemes::State start = scenes::start(scene);
   std::vector<double> errors;
   double kinetic = 0.0;
   for (const double step : steps) {
-    schemes::Motion state = start;
+    schemes::State state = start;
     advance<S>(scene, state, t_end, std::lround(t_end / step));
     errors.push_back(std::abs(total_energy(scene, state) - total_energy(scene, start)));
     kinetic = kinematics::kinetic_energy(scene.particles().mass, rows_of(state.v));

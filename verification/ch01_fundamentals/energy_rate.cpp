@@ -22,7 +22,7 @@ constexpr double h = 0.01;
 
 // What a function of the state does in time at the middle one of nine states, h apart.
 template <class F>
-double rate_at_middle(const std::vector<schemes::Motion>& states, const F& of) {
+double rate_at_middle(const std::vector<schemes::State>& states, const F& of) {
   return slope_at_zero([&](double t) { return of(states[static_cast<std::size_t>(4 + std::lround(t / h))]); }, h);
 }
 
@@ -32,7 +32,7 @@ struct Sums {
   Eigen::Vector3d momentum = Eigen::Vector3d::Zero(), about_origin = Eigen::Vector3d::Zero();
 };
 
-Sums sums_of(const Eigen::VectorXd& mass, const schemes::Motion& at) {
+Sums sums_of(const Eigen::VectorXd& mass, const schemes::State& at) {
   const Eigen::Index N = mass.size();
   Sums sums;
   for (Eigen::Index i = 0; i < N; ++i) {
@@ -52,17 +52,17 @@ const Case energy_rate{
      .reference = Reference::identity},
     [](Rows& rows) {
       scenes::Scene scene(
-          random_cloud({.N = 20}, rows.case_seed()), kinematics::Open{},
-          contact::NearField{.alpha1 = 0.5, .alpha2 = 0.25},
+          random_cloud({.N = 20}, rows.case_seed()), kinematics::Space{},
+          laws::NearField{.alpha1 = 0.5, .alpha2 = 0.25},
           FixedCentre{.place{0.4, 2.0, -1.0}, .law{.alpha1 = 2.0, .alpha2 = 0.1, .beta1 = 0.5, .beta2 = 1.5}});
       constexpr long fine = 20;
-      const std::vector<schemes::Motion> states =
+      const std::vector<schemes::State> states =
           path<schemes::RungeKutta4>(scene, scenes::start(scene), 8.0 * h, 8 * fine);
-      std::vector<schemes::Motion> nine;
+      std::vector<schemes::State> nine;
       for (std::size_t k = 0; k <= 8; ++k) nine.push_back(states[k * fine]);
 
       const Eigen::VectorXd& mass = scene.particles().mass;
-      const schemes::Motion& middle = nine[4];
+      const schemes::State& middle = nine[4];
       Eigen::VectorXd flat(middle.r.size());
       if (!scene.total_force(middle, flat)) throw std::runtime_error("the cloud has no forces");
       const kinematics::Vectors force = rows_of(flat), r = rows_of(middle.r), v = rows_of(middle.v);

@@ -24,9 +24,9 @@ const kinematics::CentralForce real{.alpha1 = 3.0, .alpha2 = 0.7, .beta1 = 1.3, 
 double stiffness(const kinematics::CentralForce& law, double d, const Eigen::Vector3d& direction) {
   const NearFieldScene scene(pair_at_rest(1.0, 1.0, d), {},
                              {.alpha1 = law.alpha1, .alpha2 = law.alpha2, .beta1 = law.beta1, .beta2 = law.beta2});
-  const schemes::Motion start = scenes::start(scene);
+  const schemes::State start = scenes::start(scene);
   const auto energy = [&](double x) {
-    schemes::Motion moved = start;
+    schemes::State moved = start;
     for (Eigen::Index axis = 0; axis < 3; ++axis) moved.r[2 * axis + 1] += x * direction[axis];
     return scene.potential_energy(moved);
   };

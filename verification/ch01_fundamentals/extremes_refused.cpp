@@ -30,12 +30,12 @@ Ending ending_of(const schemes::Outcome& outcome) {
   return outcome.status == schemes::Status::failed ? Ending::refused(outcome.reason) : accepted();
 }
 
-const contact::NearField book{.alpha1 = 0.5, .alpha2 = 0.25};
+const laws::NearField book{.alpha1 = 0.5, .alpha2 = 0.25};
 
 template <class S>
-Ending run(const kinematics::Particles& start, const contact::NearField& law, double step, double t_end) {
+Ending run(const kinematics::Particles& start, const laws::NearField& law, double step, double t_end) {
   NearFieldScene scene(start, {}, law);
-  schemes::Motion state = scenes::start(scene);
+  schemes::State state = scenes::start(scene);
   S scheme;
   schemes::FixedStep control{.step = step};
   // An end that should have been refused must not keep the case for ever.
@@ -46,7 +46,7 @@ Ending run(const kinematics::Particles& start, const contact::NearField& law, do
 
 Ending run_by(const reference::Method& method, const kinematics::Particles& start, double t_end) {
   NearFieldScene scene(start, {}, book);
-  schemes::Motion state = scenes::start(scene);
+  schemes::State state = scenes::start(scene);
   return ending_of(reference::integrate(scene, state, t_end, method));
 }
 
@@ -98,7 +98,7 @@ void refuse_particles(Rows& rows) {
 }
 
 void refuse_laws(Rows& rows) {
-  using L = contact::NearField;
+  using L = laws::NearField;
   refuse_entries<L>(rows, "near field", book,
                     {{.name = "alpha1", .of = [](L& l) -> double& { return l.alpha1; }},
                      {.name = "alpha2", .of = [](L& l) -> double& { return l.alpha2; }},
@@ -135,7 +135,7 @@ void refuse_runs(Rows& rows) {
     rows.must_be_refused(fmt::format("CVODE run, t_end = {}", t_end), fmt::format("end time {}", t_end),
                          [&] { return run_by(adams, start, t_end); });
   }
-  using M = schemes::Motion;
+  using M = schemes::State;
   NearFieldScene scene(start, {}, book);
   refuse_entries<M>(rows, "state of a run", scenes::start(scene),
                     {{.name = "t", .of = [](M& m) -> double& { return m.t; }, .may_be_negative = true},
@@ -164,7 +164,7 @@ void refuse_coincidence(Rows& rows) {
   // Without forces the two would pass through each other; the first step ends where they meet.
   kinematics::Particles meeting = pair_at_rest(1.0, 1.0, 2.0);
   meeting.velocity = -meeting.position;
-  const contact::NearField idle{.alpha1 = 0.0, .alpha2 = 0.0};
+  const laws::NearField idle{.alpha1 = 0.0, .alpha2 = 0.0};
   rows.must_be_refused("fixed step that leaps into coincidence, velocity Verlet", "no finite value smaller step",
                        [&] { return run<schemes::VelocityVerlet>(meeting, idle, 1.0, 4.0); });
   rows.must_be_refused("fixed step that leaps into coincidence, RK4", "no finite value smaller step",

@@ -25,17 +25,17 @@ NearFieldScene free_flight(Eigen::Index N) { return {random_cloud({.N = N}, 1), 
 Ending fly_free(Eigen::Index N) {
   NearFieldScene scene = free_flight(N);
   double worst = 0.0;
-  const schemes::Motion start = scenes::start(scene);
+  const schemes::State start = scenes::start(scene);
   const auto fly = [&](const auto& move) {
-    schemes::Motion state = start;
+    schemes::State state = start;
     move(state);
     const Eigen::VectorXd expected = start.r + 2.0 * start.v;
     worst = std::max(
         {worst, std::abs(state.t - 2.0), (state.r - expected).cwiseAbs().sum(), (state.v - start.v).cwiseAbs().sum()});
   };
-  fly([&](schemes::Motion& state) { advance<schemes::RungeKutta4>(scene, state, 2.0, 8); });
-  fly([&](schemes::Motion& state) { advance<schemes::VelocityVerlet>(scene, state, 2.0, 8); });
-  if (N > 0) fly([&](schemes::Motion& state) { advance_by(adams, scene, state, 2.0); });
+  fly([&](schemes::State& state) { advance<schemes::RungeKutta4>(scene, state, 2.0, 8); });
+  fly([&](schemes::State& state) { advance<schemes::VelocityVerlet>(scene, state, 2.0, 8); });
+  if (N > 0) fly([&](schemes::State& state) { advance_by(adams, scene, state, 2.0); });
   worst = std::max({worst, std::abs(scene.potential_energy(start)), std::abs(scene.distance(start.r, start.r))});
   return Ending::solved(
       {.error = worst, .tolerance = 1e-14, .because = "uniform motion, a few roundings of values near 1"});
@@ -58,7 +58,7 @@ Ending breathe(const kinematics::Particles& start, const ExactBreathing& exact, 
   NearFieldScene scene(start, {}, {.alpha1 = alpha1, .alpha2 = alpha1 / exact.depth(), .beta1 = 2.0, .beta2 = 3.0});
   const BreathingErrors worst =
       errors_at_tenths(exact, pair_shape(start.mass[0], start.mass[1]), scenes::start(scene), 30,
-                       [&](schemes::Motion& state, double t_end) { move(scene, state, t_end); });
+                       [&](schemes::State& state, double t_end) { move(scene, state, t_end); });
   return Ending::solved(
       {.error = std::max(worst.position / allowed.errors.position, worst.velocity / allowed.errors.velocity),
        .tolerance = 1.0,
@@ -71,7 +71,7 @@ Ending breathe_by_rk4(double m_i, double radius) {
   start.radius << radius, (radius > 0.0 ? 1.0 - radius : 0.0);
   const ExactBreathing exact{.force = {.A = 2.0, .B = 1.0}, .r_0 = 1.0};
   return breathe(start, exact, 2.0 / (m_i + 1.0), allowed_to_steps(exact, 4, exact.motion.period() / 5000.0),
-                 [](auto& scene, schemes::Motion& state, double t_end) {
+                 [](auto& scene, schemes::State& state, double t_end) {
                    advance<schemes::RungeKutta4>(scene, state, t_end, 500);
                  });
 }
@@ -79,7 +79,7 @@ Ending breathe_by_rk4(double m_i, double radius) {
 Ending breathe_stiffly(const reference::Method& method, double global) {
   const ExactBreathing exact{.force = kinematics::breathing_pair(1.0, 0.001, 1.0, 1.0), .r_0 = 1.0};
   return breathe(pair_at_rest(1.0, 1.0, 1.0), exact, 1.0, allowed_to_tolerance(exact, global),
-                 [&](auto& scene, schemes::Motion& state, double t_end) { advance_by(method, scene, state, t_end); });
+                 [&](auto& scene, schemes::State& state, double t_end) { advance_by(method, scene, state, t_end); });
 }
 
 // A pair under extreme exponents: inner turning point and period against its energy.
@@ -107,8 +107,8 @@ Ending far_apart() {
   kinematics::Particles start = pair_at_rest(1.0, 1.0, 1e150);
   kinematics::set_vector(start.velocity, 1, {1.0, 0.0, 0.0});
   NearFieldScene scene(start, {}, {.alpha1 = 1.0, .alpha2 = 1.0, .beta1 = 2.0, .beta2 = 3.0});
-  schemes::Motion state = scenes::start(scene);
-  const schemes::Motion before = state;
+  schemes::State state = scenes::start(scene);
+  const schemes::State before = state;
   advance<schemes::RungeKutta4>(scene, state, 1.0, 4);
   return Ending::solved({.error = (state.v - before.v).cwiseAbs().maxCoeff(),
                          .tolerance = 1e-299,

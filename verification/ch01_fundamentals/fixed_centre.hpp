@@ -1,6 +1,6 @@
 #pragma once
 
-#include <particulate/contact/law.hpp>
+#include <particulate/laws/law.hpp>
 #include <particulate/kinematics/central_force.hpp>
 
 /// @file
@@ -14,8 +14,8 @@ struct FixedCentre {
   particulate::kinematics::CentralForce law;  ///< the same for every particle
 };
 
-inline bool add_force(const FixedCentre& centre, const particulate::kinematics::Open&,
-                      const particulate::contact::Places& at, particulate::contact::Forces force) {
+inline bool add_force(const FixedCentre& centre, const particulate::kinematics::Space&,
+                      const particulate::laws::At<>& at, particulate::laws::Forces force) {
   for (Eigen::Index i = 0; i < at.mass.size(); ++i) {
     force.row(i) +=
         particulate::kinematics::force(centre.law, at.position.row(i).transpose(), centre.place).transpose();

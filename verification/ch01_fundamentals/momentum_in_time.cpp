@@ -29,7 +29,7 @@ Drift drift(NearFieldScene& scene, long steps) {
   const Eigen::Vector3d G = kinematics::linear_momentum(start.mass, start.velocity);
   const Eigen::Vector3d H = kinematics::angular_momentum(start.mass, start.position, start.velocity);
   Drift worst;
-  for (const schemes::Motion& at : path<S>(scene, scenes::start(scene), t_end, steps)) {
+  for (const schemes::State& at : path<S>(scene, scenes::start(scene), t_end, steps)) {
     const Eigen::Vector3d G_t = kinematics::linear_momentum(start.mass, rows_of(at.v));
     const Eigen::Vector3d H_t = kinematics::angular_momentum(start.mass, rows_of(at.r), rows_of(at.v));
     worst.linear = std::max(worst.linear, (G_t - G).norm() / size.sum());
@@ -46,7 +46,7 @@ std::vector<double> angular_drifts(const std::vector<double>& steps) {
   const Eigen::Vector3d H = kinematics::angular_momentum(start.mass, start.position, start.velocity);
   std::vector<double> drifts;
   for (const double step : steps) {
-    schemes::Motion state = scenes::start(scene);
+    schemes::State state = scenes::start(scene);
     advance<schemes::RungeKutta4>(scene, state, t_end, std::lround(t_end / step));
     drifts.push_back((kinematics::angular_momentum(start.mass, rows_of(state.r), rows_of(state.v)) - H).norm() /
                      H.norm());

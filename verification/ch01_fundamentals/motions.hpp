@@ -18,7 +18,7 @@ inline void require_reached(const particulate::schemes::Outcome& outcome) {
 
 /// Moves a state to t_end in equal steps of a scheme.
 template <class S, class P>
-void advance(P& problem, particulate::schemes::Motion& state, double t_end, long steps) {
+void advance(P& problem, particulate::schemes::State& state, double t_end, long steps) {
   S scheme;
   particulate::schemes::FixedStep control{.step = (t_end - state.t) / static_cast<double>(steps)};
   require_reached(integrate(problem, state, t_end, scheme, control));
@@ -26,12 +26,12 @@ void advance(P& problem, particulate::schemes::Motion& state, double t_end, long
 
 /// The states of a run at equal steps, the start and the end included.
 template <class S, class P>
-std::vector<particulate::schemes::Motion> path(P& problem, particulate::schemes::Motion state, double t_end,
+std::vector<particulate::schemes::State> path(P& problem, particulate::schemes::State state, double t_end,
                                                long steps) {
-  std::vector<particulate::schemes::Motion> states{state};
+  std::vector<particulate::schemes::State> states{state};
   S scheme;
   particulate::schemes::FixedStep control{.step = (t_end - state.t) / static_cast<double>(steps)};
-  const auto keep = [&](const auto&, const particulate::schemes::Motion& to, double, const S&) {
+  const auto keep = [&](const auto&, const particulate::schemes::State& to, double, const S&) {
     states.push_back(to);
     return true;
   };
@@ -51,22 +51,22 @@ struct Turning {
 };
 
 /// Half the rate of the squared distance of bodies 0 and 1.
-inline double parting(const particulate::schemes::Motion& at) {
+inline double parting(const particulate::schemes::State& at) {
   const auto r = rows_of(at.r);
   const auto v = rows_of(at.v);
   return (r.row(1) - r.row(0)).dot(v.row(1) - v.row(0));
 }
 
 /// Distance of bodies 0 and 1.
-inline double distance_of_pair(const particulate::schemes::Motion& at) {
+inline double distance_of_pair(const particulate::schemes::State& at) {
   const auto r = rows_of(at.r);
   return (r.row(1) - r.row(0)).norm();
 }
 
 /// The moment within one step at which the pair turns, by bisection on the size of that step.
 template <class S, class P>
-Turning turning_within(P& problem, const particulate::schemes::Motion& from, double dt) {
-  particulate::schemes::Motion there = from;
+Turning turning_within(P& problem, const particulate::schemes::State& from, double dt) {
+  particulate::schemes::State there = from;
   double low = 0.0, high = dt;
   for (int k = 0; k < 80; ++k) {
     const double middle = 0.5 * (low + high);
@@ -79,7 +79,7 @@ Turning turning_within(P& problem, const particulate::schemes::Motion& from, dou
 
 /// The first turnings of a pair under a scheme at a fixed step.
 template <class S, class P>
-std::vector<Turning> turnings(P& problem, particulate::schemes::Motion state, double step, std::size_t count) {
+std::vector<Turning> turnings(P& problem, particulate::schemes::State state, double step, std::size_t count) {
   std::vector<Turning> found;
   S scheme;
   particulate::schemes::FixedStep control{.step = step};

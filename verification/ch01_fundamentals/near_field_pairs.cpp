@@ -31,12 +31,12 @@ struct Expected {
   long double energy = 0.0L, energy_size = 0.0L;
 };
 
-long double charge(const contact::NearField& law, const kinematics::Particles& of, Eigen::Index i) {
+long double charge(const laws::NearField& law, const kinematics::Particles& of, Eigen::Index i) {
   const long double b = of.radius[i];
   switch (law.scaling) {
-    case contact::Scaling::mass:
+    case laws::Scaling::mass:
       return of.mass[i];
-    case contact::Scaling::area:
+    case laws::Scaling::area:
       return 4.0L * std::numbers::pi_v<long double> * b * b;
     default:
       return 1.0L;
@@ -49,7 +49,7 @@ long double integral(long double beta, long double d, long double d_ref) {
   return (std::pow(d, 1.0L - beta) - std::pow(d_ref, 1.0L - beta)) / (1.0L - beta);
 }
 
-void add_pair(Expected& sum, const contact::NearField& law, const kinematics::Particles& of, Eigen::Index i,
+void add_pair(Expected& sum, const laws::NearField& law, const kinematics::Particles& of, Eigen::Index i,
               Eigen::Index j) {
   const Eigen::Matrix<long double, 1, 3> r_i = of.position.row(i).cast<long double>();
   const Eigen::Matrix<long double, 1, 3> r_j = of.position.row(j).cast<long double>();
@@ -66,7 +66,7 @@ void add_pair(Expected& sum, const contact::NearField& law, const kinematics::Pa
   sum.energy_size += std::abs(gain) + std::abs(loss);
 }
 
-Expected expected(const contact::NearField& law, const kinematics::Particles& of) {
+Expected expected(const laws::NearField& law, const kinematics::Particles& of) {
   Expected sum{.force = Extended::Zero(of.size(), 3),
                .size = Eigen::Matrix<long double, Eigen::Dynamic, 1>::Zero(of.size())};
   for (Eigen::Index i = 0; i < of.size(); ++i) {
@@ -84,10 +84,10 @@ double error_of_forces(const Expected& expected, const Eigen::VectorXd& computed
 }
 
 template <class Domain>
-void compare_domain(Rows& rows, const std::string& which, const Domain& domain, const contact::NearField& law,
+void compare_domain(Rows& rows, const std::string& which, const Domain& domain, const laws::NearField& law,
                     const kinematics::Particles& cloud, const Expected& expected, double limit) {
-  const scenes::Scene<Domain, contact::NearField> scene(cloud, domain, law);
-  const schemes::Motion start = scenes::start(scene);
+  const scenes::Scene<Domain, laws::NearField> scene(cloud, domain, law);
+  const schemes::State start = scenes::start(scene);
   Eigen::VectorXd force(start.r.size()), acceleration(start.r.size());
   if (!scene.total_force(start, force) || !scene.acceleration(0.0, start.r, acceleration)) {
     throw std::runtime_error("the cloud has no forces");
@@ -104,23 +104,23 @@ void compare_domain(Rows& rows, const std::string& which, const Domain& domain, 
                                             .because = "as the forces, summed over pairs: fewer eps of their sizes"});
 }
 
-void compare(Rows& rows, const contact::NearField& law, Eigen::Index N, const std::string& scaling) {
+void compare(Rows& rows, const laws::NearField& law, Eigen::Index N, const std::string& scaling) {
   const kinematics::Particles cloud = random_cloud({.N = N, .decades = 2.0}, rows.case_seed());
   const Expected by_pairs = expected(law, cloud);
   const double limit = 1.2e-16 * static_cast<double>(N + 30);
   const std::string which = fmt::format(", per {}, beta = ({}, {}), N = {}", scaling, law.beta1, law.beta2, N);
-  compare_domain(rows, which, kinematics::Open{}, law, cloud, by_pairs, limit);
+  compare_domain(rows, which, kinematics::Space{}, law, cloud, by_pairs, limit);
   compare_domain(rows, which + ", general loop", AnotherOpen{}, law, cloud, by_pairs, limit);
 }
 
 // A law adds to what is there: twice the same forces are twice the forces.
-double error_of_adding(const contact::NearField& law, const kinematics::Particles& cloud) {
-  const contact::Places at{
+double error_of_adding(const laws::NearField& law, const kinematics::Particles& cloud) {
+  const laws::At<> at{
       .t = 0.0, .position{cloud.position.data(), cloud.size(), 3}, .mass = cloud.mass, .radius = cloud.radius};
   Eigen::VectorXd once = Eigen::VectorXd::Zero(3 * cloud.size());
   Eigen::VectorXd onto = Eigen::VectorXd::Constant(3 * cloud.size(), 1.0);
-  const bool had_values = add_force(law, kinematics::Open{}, at, contact::Forces(once.data(), cloud.size(), 3)) &&
-                          add_force(law, kinematics::Open{}, at, contact::Forces(onto.data(), cloud.size(), 3));
+  const bool had_values = add_force(law, kinematics::Space{}, at, laws::Forces(once.data(), cloud.size(), 3)) &&
+                          add_force(law, kinematics::Space{}, at, laws::Forces(onto.data(), cloud.size(), 3));
   if (!had_values) throw std::runtime_error("the cloud has no forces");
   return (onto - once).cwiseAbs().maxCoeff() - 1.0;
 }
@@ -131,7 +131,7 @@ const Case near_field_pairs{
      .equation = "M 2.3",
      .reference = Reference::independent_method},
     [](Rows& rows) {
-      using contact::Scaling;
+      using laws::Scaling;
       // The library takes a few particles pair by pair, more in vectors of up to 8: full ones, and with 1 or 2 left
       // over.
       for (const Eigen::Index N : {2, 3, 128, 129, 130, 257}) {

@@ -22,7 +22,7 @@ inline const particulate::reference::ExplicitRungeKutta dormand_prince{
 
 /// Moves a state to t_end by a reference method, in one leg.
 template <class P>
-void advance_by(const particulate::reference::Method& method, P& problem, particulate::schemes::Motion& state,
+void advance_by(const particulate::reference::Method& method, P& problem, particulate::schemes::State& state,
                 double t_end) {
   require_reached(particulate::reference::integrate(problem, state, t_end, method));
 }

@@ -41,7 +41,7 @@ Found by_scheme(double step) {
 // The state near the inner turning point, moved there by one Newton step on the rate of the distance.
 Found by_adams() {
   NearFieldScene scene = released();
-  schemes::Motion state = scenes::start(scene);
+  schemes::State state = scenes::start(scene);
   advance_by(adams, scene, state, 0.5 * period);
   const double d = distance_of_pair(state);
   const double rate = parting(state) / d;

@@ -29,12 +29,12 @@ struct SampledMotion {
 inline SampledMotion sampled_motion(std::uint64_t seed, long steps) {
   using namespace particulate;
   scenes::Scene scene(
-      random_cloud({.N = 20}, seed), kinematics::Open{}, contact::NearField{.alpha1 = 0.1, .alpha2 = 0.05},
+      random_cloud({.N = 20}, seed), kinematics::Space{}, laws::NearField{.alpha1 = 0.1, .alpha2 = 0.05},
       FixedCentre{.place{0.4, 2.0, -1.0}, .law{.alpha1 = 2.0, .alpha2 = 0.1, .beta1 = 0.5, .beta2 = 1.5}});
   SampledMotion fine;
   fine.mass = scene.particles().mass;
   Eigen::VectorXd flat(3 * fine.mass.size());
-  for (const schemes::Motion& at : path<schemes::RungeKutta4>(scene, scenes::start(scene), fine.t_end, steps)) {
+  for (const schemes::State& at : path<schemes::RungeKutta4>(scene, scenes::start(scene), fine.t_end, steps)) {
     if (!scene.total_force(at, flat)) throw std::runtime_error("the cloud has no forces");
     fine.position.emplace_back(rows_of(at.r));
     fine.velocity.emplace_back(rows_of(at.v));

@@ -20,7 +20,7 @@ void compare_order(Rows& rows, long coarsest, const std::string& because) {
   NearFieldScene scene(pair_at_rest(1.0, 1.0, 1.0), {}, {.alpha1 = 1.0, .alpha2 = alpha2, .beta1 = 2.0, .beta2 = 3.0});
   std::vector<double> steps, positions, velocities;
   for (long n = coarsest; steps.size() < 5; n = n * 3 / 2) {
-    particulate::schemes::Motion state = particulate::scenes::start(scene);
+    particulate::schemes::State state = particulate::scenes::start(scene);
     advance<S>(scene, state, t_end, n);
     BreathingErrors errors;
     compare_with(exact, pair_shape(1.0, 1.0), state, errors);

@@ -21,20 +21,20 @@ using namespace particulate;
 constexpr double t_end = 2.3;
 
 // Largest difference of positions over the cloud's size, and of velocities over the largest speed.
-double difference(const schemes::Motion& one, const schemes::Motion& other) {
+double difference(const schemes::State& one, const schemes::State& other) {
   return std::max((one.r - other.r).lpNorm<Eigen::Infinity>() / other.r.lpNorm<Eigen::Infinity>(),
                   (one.v - other.v).lpNorm<Eigen::Infinity>() / other.v.lpNorm<Eigen::Infinity>());
 }
 
 template <class S>
-schemes::Motion by_steps(NearFieldScene& scene, long steps) {
-  schemes::Motion state = scenes::start(scene);
+schemes::State by_steps(NearFieldScene& scene, long steps) {
+  schemes::State state = scenes::start(scene);
   advance<S>(scene, state, t_end, steps);
   return state;
 }
 
-schemes::Motion by_reference(NearFieldScene& scene, const reference::Method& method) {
-  schemes::Motion state = scenes::start(scene);
+schemes::State by_reference(NearFieldScene& scene, const reference::Method& method) {
+  schemes::State state = scenes::start(scene);
   advance_by(method, scene, state, t_end);
   return state;
 }
@@ -42,9 +42,9 @@ schemes::Motion by_reference(NearFieldScene& scene, const reference::Method& met
 // A scheme may be as far from the judge as halving its steps moves it, times 1/(1 - 2^-order) and a fifth; and no
 // farther than `worst`, so that a scheme cannot excuse itself by being coarse.
 template <class S>
-void compare_scheme(Rows& rows, const std::string& what, NearFieldScene& scene, const schemes::Motion& judge,
+void compare_scheme(Rows& rows, const std::string& what, NearFieldScene& scene, const schemes::State& judge,
                     long steps, double worst) {
-  const schemes::Motion coarse = by_steps<S>(scene, steps), fine = by_steps<S>(scene, 2 * steps);
+  const schemes::State coarse = by_steps<S>(scene, steps), fine = by_steps<S>(scene, 2 * steps);
   const double moved = difference(coarse, fine);
   rows.at_most(
       what, {.limit = std::min(worst, 1.2 * moved / (1.0 - std::pow(0.5, S::order)) + 1e-10),
@@ -54,9 +54,9 @@ void compare_scheme(Rows& rows, const std::string& what, NearFieldScene& scene, 
                                     moved, worst)});
 }
 
-void compare(Rows& rows, const contact::NearField& law) {
+void compare(Rows& rows, const laws::NearField& law) {
   NearFieldScene scene(random_cloud({.N = 20}, smooth), {}, law);
-  const schemes::Motion judge = by_reference(scene, fehlberg);
+  const schemes::State judge = by_reference(scene, fehlberg);
   const std::string which = fmt::format(" against ARKODE Fehlberg, beta = ({}, {})", law.beta1, law.beta2);
   const char* const because =
       "tolerances of 1e-13 and 1e-14 with global errors some hundred times larger, in a motion "

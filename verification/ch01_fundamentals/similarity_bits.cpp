@@ -23,14 +23,14 @@ struct Difference {
   double deviation = 0.0;  // largest difference over the largest component
 };
 
-contact::NearField near_field(const kinematics::CentralForce& law) {
+laws::NearField near_field(const kinematics::CentralForce& law) {
   return {.alpha1 = law.alpha1, .alpha2 = law.alpha2, .beta1 = law.beta1, .beta2 = law.beta2};
 }
 
 template <class S>
-schemes::Motion moved(const kinematics::Particles& start, const kinematics::CentralForce& law, double t_end) {
+schemes::State moved(const kinematics::Particles& start, const kinematics::CentralForce& law, double t_end) {
   NearFieldScene scene(start, {}, near_field(law));
-  schemes::Motion state = scenes::start(scene);
+  schemes::State state = scenes::start(scene);
   advance<S>(scene, state, t_end, 128);
   return state;
 }
@@ -45,8 +45,8 @@ void look(Difference& seen, const Eigen::VectorXd& expected, const Eigen::Vector
 template <class S>
 Difference compare(const kinematics::Particles& start, const kinematics::CentralForce& law,
                    const kinematics::CentralForce& scaled_law, const kinematics::Scales& scales, double t_end) {
-  const schemes::Motion plain = moved<S>(start, law, t_end);
-  const schemes::Motion other = moved<S>(kinematics::scaled(start, scales), scaled_law, t_end * scales.time);
+  const schemes::State plain = moved<S>(start, law, t_end);
+  const schemes::State other = moved<S>(kinematics::scaled(start, scales), scaled_law, t_end * scales.time);
   Difference seen;
   look(seen, scales.length * plain.r, other.r);
   look(seen, (scales.length / scales.time) * plain.v, other.v);

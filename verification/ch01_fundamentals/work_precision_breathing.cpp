@@ -69,7 +69,7 @@ const Case pentagon{claim_of("pentagon", "five bodies that breathe, alpha2 = 0.5
 // RK4 that moves by 1.001 steps and calls it one: the smallest kind of defect that a diagram must show.
 struct TooLongSteps : schemes::RungeKutta4 {
   template <class P>
-  bool predict(P& problem, const schemes::Motion& from, double dt, schemes::Motion& to) {
+  bool predict(P& problem, const schemes::State& from, double dt, schemes::State& to) {
     const bool value = schemes::RungeKutta4::predict(problem, from, 1.001 * dt, to);
     to.t = from.t + dt;
     return value;

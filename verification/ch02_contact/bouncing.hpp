@@ -7,7 +7,7 @@
 #include <particulate/contact/contact.hpp>
 #include <particulate/kinematics/domain.hpp>
 #include <particulate/reference/integrator.hpp>
-#include <particulate/scenes/gravity.hpp>
+#include <particulate/laws/gravity.hpp>
 #include <particulate/scenes/scene.hpp>
 
 /// @file
@@ -15,7 +15,7 @@
 
 namespace verification {
 
-using BouncingScene = particulate::scenes::Scene<particulate::kinematics::Walled, particulate::scenes::Gravity,
+using BouncingScene = particulate::scenes::Scene<particulate::kinematics::Space, particulate::laws::Gravity,
                                                  particulate::contact::Contact<>>;
 
 /// A ball dropped from a height, which keeps e of its speed at every impact.
@@ -60,14 +60,14 @@ inline BouncingScene bouncing_scene(const std::vector<double>& heights, double e
     balls.position(i, 0) = 4.0 * ball_radius * static_cast<double>(i);
     balls.position(i, 2) = ball_radius + heights[static_cast<std::size_t>(i)];
   }
-  return {balls, particulate::kinematics::Walled{{particulate::kinematics::Wall{}}}, particulate::scenes::Gravity{},
+  return {balls, particulate::kinematics::Space{{particulate::kinematics::Wall{}}}, particulate::laws::Gravity{},
           particulate::contact::Contact<>{.restitution = {e}, .gamma = gamma}};
 }
 
 /// Where and how fast balls of such a scene are.
-inline particulate::schemes::Motion bouncing_truth(const BouncingScene& scene, const std::vector<double>& heights,
+inline particulate::schemes::State bouncing_truth(const BouncingScene& scene, const std::vector<double>& heights,
                                                    double e, double t) {
-  particulate::schemes::Motion there = particulate::scenes::start(scene);
+  particulate::schemes::State there = particulate::scenes::start(scene);
   const auto N = static_cast<Eigen::Index>(heights.size());
   there.t = t;
   for (Eigen::Index i = 0; i < N; ++i) {
@@ -87,7 +87,7 @@ inline particulate::reference::Events ground_events(Eigen::Index N) {
 
 /// What an impact on the ground does: the law itself, e u back, without forces meanwhile.
 inline auto rebound(double e) {
-  return [e](particulate::schemes::Motion& state, const std::vector<particulate::reference::Hit>& hits) {
+  return [e](particulate::schemes::State& state, const std::vector<particulate::reference::Hit>& hits) {
     const Eigen::Index N = state.v.size() / 3;
     for (const particulate::reference::Hit& hit : hits) { state.v[2 * N + static_cast<Eigen::Index>(hit.event)] *= -e; }
   };

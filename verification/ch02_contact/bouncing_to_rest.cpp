@@ -33,7 +33,7 @@ constexpr Known lively{.e = 0.9, .total_time = 5.42580386712};
 void by_roots(Rows& rows, const Known& known) {
   const Bouncing exact{.h = height, .e = known.e};
   BouncingScene scene = bouncing_scene({height}, known.e);
-  schemes::Motion state = scenes::start(scene);
+  schemes::State state = scenes::start(scene);
   reference::Integrator integrator(scene, state, reference::Adams{.relative = 1e-15, .absolute = 1e-18},
                                    ground_events(1));
   constexpr double slowest = 1e-3;
@@ -103,15 +103,15 @@ struct Stepped {
 };
 
 template <class Observer>
-schemes::Outcome run(BouncingScene& scene, schemes::Motion& state, double t_end, double dt, Observer&& observer) {
+schemes::Outcome run(BouncingScene& scene, schemes::State& state, double t_end, double dt, Observer&& observer) {
   schemes::VelocityVerlet scheme;
   schemes::FixedStep control{.step = dt};
   return schemes::integrate(scene, state, t_end, scheme, control, observer);
 }
 
 double time_of_slow_impact(BouncingScene& scene, const Stepped& how, double t_end, double dt) {
-  schemes::Motion state = scenes::start(scene);
-  const auto watch = [&](const schemes::Motion&, const schemes::Motion& to, double, const auto&) {
+  schemes::State state = scenes::start(scene);
+  const auto watch = [&](const schemes::State&, const schemes::State& to, double, const auto&) {
     const bool meets = to.r[2] <= ball_radius && to.v[2] < 0.0;
     return !(meets && -to.v[2] < how.slow);
   };
@@ -123,7 +123,7 @@ double time_of_slow_impact(BouncingScene& scene, const Stepped& how, double t_en
 Difference difference(const Stepped& how, double h, double dt) {
   const Bouncing exact{.h = h, .e = how.e};
   BouncingScene scene = bouncing_scene({h}, how.e);
-  schemes::Motion state = scenes::start(scene);
+  schemes::State state = scenes::start(scene);
   const schemes::Outcome out = run(scene, state, how.t, dt, schemes::Unobserved{});
   if (out.status != schemes::Status::reached) throw std::runtime_error(out.reason);
   int slow_impact = 0;
@@ -185,7 +185,7 @@ const Case resting{
       constexpr int count = 1000;
       for (const double e : {0.0, 0.5, 0.9}) {
         BouncingScene scene = bouncing_scene({0.0}, e, gamma);
-        schemes::Motion state = scenes::start(scene);
+        schemes::State state = scenes::start(scene);
         const double before = state.r[2];
         state.v[2] = (e * (1.0 - gamma) / (1.0 + e) + gamma) * g * dt;
         const schemes::Outcome out = run(scene, state, count * dt, dt, schemes::Unobserved{});
@@ -208,7 +208,7 @@ const Case falling{
      .reference = Reference::closed_form},
     [](Rows& rows) {
       BouncingScene scene = bouncing_scene({height}, lossy.e);
-      schemes::Motion state = scenes::start(scene);
+      schemes::State state = scenes::start(scene);
       const double V = scene.potential_energy(state);
       rows.compare(
           "potential energy of 2 kg at 0.45 m [J]",

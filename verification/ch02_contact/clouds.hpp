@@ -1,6 +1,6 @@
 #pragma once
 
-#include <particulate/contact/near_field.hpp>
+#include <particulate/laws/near_field.hpp>
 #include <particulate/schemes/fixed_step.hpp>
 #include <particulate/schemes/integrate.hpp>
 
@@ -54,7 +54,7 @@ inline particulate::kinematics::Particles closing_cloud(std::uint64_t seed, Eige
 ///
 /// @throws std::runtime_error if it does not get there
 template <class S, class P, class Observer = particulate::schemes::Unobserved>
-particulate::schemes::Outcome march(P& problem, particulate::schemes::Motion& state, double t_end, long steps,
+particulate::schemes::Outcome march(P& problem, particulate::schemes::State& state, double t_end, long steps,
                                     Observer&& observer = {}) {
   S scheme;
   particulate::schemes::FixedStep control{.step = (t_end - state.t) / static_cast<double>(steps)};
@@ -69,7 +69,7 @@ inline Eigen::Map<const particulate::kinematics::Vectors> as_rows(const Eigen::V
 }
 
 /// The near field of the clouds.
-inline constexpr particulate::contact::NearField book_near_field{
+inline constexpr particulate::laws::NearField book_near_field{
     .alpha1 = 0.5, .alpha2 = 0.25, .beta1 = 1.0, .beta2 = 2.0};
 
 }  // namespace verification

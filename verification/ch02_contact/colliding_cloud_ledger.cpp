@@ -15,7 +15,7 @@ namespace verification::colliding_cloud_ledger {
 using namespace particulate;
 
 using Cloud =
-    scenes::Scene<kinematics::Open, contact::NearField, contact::Contact<contact::Restitution, contact::Friction>>;
+    scenes::Scene<kinematics::Space, laws::NearField, contact::Contact<contact::Restitution, contact::Friction>>;
 
 constexpr double t_end = 1.1;
 
@@ -35,7 +35,7 @@ struct Ledger {
 template <class S>
 Ledger ledger(const kinematics::Particles& start, long steps) {
   Cloud cloud = cloud_of(start);
-  schemes::Motion state = scenes::start(cloud);
+  schemes::State state = scenes::start(cloud);
   const double T = kinematics::kinetic_energy(start.mass, start.velocity), V = cloud.potential_energy(state);
   const schemes::Outcome outcome = march<S>(cloud, state, t_end, steps);
   const double T_end = kinematics::kinetic_energy(start.mass, as_rows(state.v)), V_end = cloud.potential_energy(state);

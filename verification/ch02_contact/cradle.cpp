@@ -92,7 +92,7 @@ InTime in_time(double e, contact::Resolution resolution) {
   kinematics::Particles row = row_of(speeds({1, 0, 0, 0, 0}));
   row.position(0, 0) = -0.05;
   auto scene = contact_scene(row, smooth(e, resolution));
-  schemes::Motion state = scenes::start(scene);
+  schemes::State state = scenes::start(scene);
   schemes::VelocityVerlet scheme;
   schemes::FixedStep control{.step = 1e-3};
   const schemes::Outcome outcome = integrate(scene, state, 1.0, scheme, control);

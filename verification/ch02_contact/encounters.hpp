@@ -191,7 +191,7 @@ struct Jumped {
 /// @throws std::runtime_error if the jump could not be completed
 template <class Scene>
 Jumped jump_of(const Scene& scene, double dt) {
-  particulate::schemes::Motion state = particulate::scenes::start(scene);
+  particulate::schemes::State state = particulate::scenes::start(scene);
   const particulate::schemes::Jump jump = scene.jump(state, dt);
   if (!jump.unsettled.empty()) throw std::runtime_error("a jump was not completed: " + jump.unsettled);
   return {.jump = jump, .v = state.v.reshaped(scene.particles().size(), 3)};
@@ -201,8 +201,8 @@ Jumped jump_of(const Scene& scene, double dt) {
 template <class R, class F>
 auto contact_scene(const particulate::kinematics::Particles& particles,
                    const particulate::contact::Contact<R, F>& law) {
-  return particulate::scenes::Scene<particulate::kinematics::Open, particulate::contact::Contact<R, F>>{
-      particles, particulate::kinematics::Open{}, law};
+  return particulate::scenes::Scene<particulate::kinematics::Space, particulate::contact::Contact<R, F>>{
+      particles, particulate::kinematics::Space{}, law};
 }
 
 /// The contact law of restitution e and friction.

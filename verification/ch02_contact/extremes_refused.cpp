@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include <harness/case.hpp>
-#include <particulate/scenes/gravity.hpp>
+#include <particulate/laws/gravity.hpp>
 #include <particulate/schemes/verlet.hpp>
 
 #include "clouds.hpp"
@@ -77,8 +77,8 @@ void refuse_resolution(Rows& rows) {
 void refuse_walls(Rows& rows) {
   const auto refuse = [&](const std::string& name, const std::string& key_words, const kinematics::Wall& wall) {
     rows.must_be_refused(name, key_words, [&] {
-      const kinematics::Walled domain{{kinematics::Wall{}, wall}};
-      scenes::Scene<kinematics::Walled, contact::Contact<>>{approaching(1.0), domain, smooth(0.5)};
+      const kinematics::Space domain{{kinematics::Wall{}, wall}};
+      scenes::Scene<kinematics::Space, contact::Contact<>>{approaching(1.0), domain, smooth(0.5)};
       return accepted();
     });
   };
@@ -91,7 +91,7 @@ void refuse_walls(Rows& rows) {
   refuse("wall point infinite", "wall 1 point finite inf", {.point = {0.0, infinite, 0.0}});
   for (const double bad : {not_a_number, infinite}) {
     rows.must_be_refused(fmt::format("gravity of {}", bad), fmt::format("gravity finite {}", bad), [&] {
-      scenes::Scene<kinematics::Open, scenes::Gravity>{approaching(1.0), {}, scenes::Gravity{.g = {0.0, 0.0, bad}}};
+      scenes::Scene<kinematics::Space, laws::Gravity>{approaching(1.0), {}, laws::Gravity{.g = {0.0, 0.0, bad}}};
       return accepted();
     });
   }
@@ -105,7 +105,7 @@ void refuse_walls(Rows& rows) {
 
 template <class Scene>
 Ending ending_of(Scene scene, double step) {
-  schemes::Motion state = scenes::start(scene);
+  schemes::State state = scenes::start(scene);
   schemes::VelocityVerlet scheme;
   schemes::FixedStep control{.step = step};
   const schemes::Outcome outcome = integrate(scene, state, 1.0, scheme, control);

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <harness/case.hpp>
-#include <particulate/scenes/gravity.hpp>
+#include <particulate/laws/gravity.hpp>
 #include <particulate/schemes/verlet.hpp>
 
 #include "clouds.hpp"
@@ -80,10 +80,10 @@ Ending fall(Eigen::Index N) {
                             .velocity = kinematics::Vectors::Zero(N, 3),
                             .mass = Eigen::VectorXd::Ones(N),
                             .radius = Eigen::VectorXd::Constant(N, 0.5)};
-  using Room = scenes::Scene<kinematics::Walled, scenes::Gravity,
+  using Room = scenes::Scene<kinematics::Space, laws::Gravity,
                              contact::Contact<contact::ConstantRestitution, contact::Friction>>;
-  Room room{few, kinematics::Walled{{kinematics::Wall{}}}, scenes::Gravity{}, rough(0.5, {.mu_s = 0.2, .mu_d = 0.1})};
-  schemes::Motion state = scenes::start(room);
+  Room room{few, kinematics::Space{{kinematics::Wall{}}}, laws::Gravity{}, rough(0.5, {.mu_s = 0.2, .mu_d = 0.1})};
+  schemes::State state = scenes::start(room);
   const long impacts = march<schemes::VelocityVerlet>(room, state, 1.0, 100).impacts;
   const double expected = 9.0 - 0.5 * 9.81;
   const double off =
@@ -100,7 +100,7 @@ Ending inside_wall(double speed) {
                             .velocity = at.i.velocity.transpose(),
                             .mass = Eigen::VectorXd::Ones(1),
                             .radius = Eigen::VectorXd::Constant(1, 0.5)};
-  const scenes::Scene<kinematics::Walled, contact::Contact<>> room{
+  const scenes::Scene<kinematics::Space, contact::Contact<>> room{
       one, {{kinematics::Wall{.point = {0.0, 0.0, 40.0}}}}, smooth(0.5)};
   const Jumped after = jump_of(room, 1e-3);
   const Eigen::RowVector3d expected{0.3, 0.0, speed < 0.0 ? -0.5 * speed : speed};

@@ -12,11 +12,11 @@ namespace verification::gamma_insensitive {
 
 using namespace particulate;
 
-using Cloud = scenes::Scene<kinematics::Open, contact::NearField,
+using Cloud = scenes::Scene<kinematics::Space, laws::NearField,
                             contact::Contact<contact::ConstantRestitution, contact::Friction>>;
 
 struct End {
-  schemes::Motion state;
+  schemes::State state;
   long impacts;
   double energy;  // kinetic
 };
@@ -28,7 +28,7 @@ End run(const kinematics::Particles& start, double gamma) {
   contact::Contact<contact::ConstantRestitution, contact::Friction> law = rough(0.5, {.mu_s = 0.2, .mu_d = 0.1});
   law.gamma = gamma;
   Cloud cloud{start, {}, book_near_field, law};
-  schemes::Motion state = scenes::start(cloud);
+  schemes::State state = scenes::start(cloud);
   const long impacts = march<schemes::VelocityVerlet>(cloud, state, t_end, steps).impacts;
   return {.state = state, .impacts = impacts, .energy = kinematics::kinetic_energy(start.mass, as_rows(state.v))};
 }
@@ -40,8 +40,8 @@ void one_impact(Rows& rows, double gamma) {
   const Encounter at{.i = {.velocity = {u, 0.0, 0.0}, .inverse_mass = 1.0}, .j = {.inverse_mass = 1.0}};
   contact::Contact<> law = smooth(e);
   law.gamma = gamma;
-  const scenes::Scene<kinematics::Open, contact::NearField, contact::Contact<>> pair{
-      touching_pair(at), {}, contact::NearField{.alpha1 = 3.0, .alpha2 = 1.0}, law};
+  const scenes::Scene<kinematics::Space, laws::NearField, contact::Contact<>> pair{
+      touching_pair(at), {}, laws::NearField{.alpha1 = 3.0, .alpha2 = 1.0}, law};
   const double without = u * (1.0 + e) / 2.0;
   rows.compare(fmt::format("one impact, gamma = {}: v_j' - (1 + e) u/2 = 2 gamma Dt [m/s]", gamma),
                {.expected = 2.0 * gamma * dt,

@@ -99,7 +99,7 @@ InTime in_turn_by_scene() {
   three.position.col(0) << -1.1, 0.0, 1.3;
   three.velocity.col(0) << 1.0, 0.0, -1.0;
   auto scene = contact_scene(three, smooth(0.5));
-  schemes::Motion state = scenes::start(scene);
+  schemes::State state = scenes::start(scene);
   schemes::VelocityVerlet scheme;
   schemes::FixedStep control{.step = 1e-3};
   const schemes::Outcome outcome = integrate(scene, state, 3.0, scheme, control);

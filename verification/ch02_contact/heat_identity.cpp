@@ -98,7 +98,7 @@ Ledger cloud_ledger(std::uint64_t seed, double e) {
   const kinematics::Particles start = closing_cloud(seed, 27, 1.0);
   auto cloud = contact_scene(start, smooth(e));
   Ledger ledger;
-  const auto sum_heat = [&](const schemes::Motion&, const schemes::Motion& to, double, const schemes::VelocityVerlet&) {
+  const auto sum_heat = [&](const schemes::State&, const schemes::State& to, double, const schemes::VelocityVerlet&) {
     const auto r = as_rows(to.r), v = as_rows(to.v);
     for (Eigen::Index i = 0; i < start.size(); ++i) {
       for (Eigen::Index j = i + 1; j < start.size(); ++j) {
@@ -111,7 +111,7 @@ Ledger cloud_ledger(std::uint64_t seed, double e) {
     }
     return true;
   };
-  schemes::Motion state = scenes::start(cloud);
+  schemes::State state = scenes::start(cloud);
   const schemes::Outcome outcome = march<schemes::VelocityVerlet>(cloud, state, 2.0, 20000, sum_heat);
   ledger.told = -outcome.energy_change, ledger.impacts = outcome.impacts;
   return ledger;

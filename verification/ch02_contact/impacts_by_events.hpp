@@ -14,7 +14,7 @@ namespace verification {
 /// @return reached, or why not; its counts are those of all legs, its impacts the events
 template <class Change>
 particulate::schemes::Outcome advance_through_impacts(particulate::reference::Integrator& integrator,
-                                                      particulate::schemes::Motion& state, double t_end,
+                                                      particulate::schemes::State& state, double t_end,
                                                       const Change& change) {
   using particulate::schemes::Status;
   particulate::schemes::Outcome all;

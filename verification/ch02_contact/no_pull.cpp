@@ -2,7 +2,7 @@
 
 #include <harness/case.hpp>
 
-#include <particulate/contact/near_field.hpp>
+#include <particulate/laws/near_field.hpp>
 
 #include "encounters.hpp"
 
@@ -37,10 +37,10 @@ struct Repelled {
   double dt = 0.1;
 
   Jumped jump() const {
-    using Repulsion = scenes::Scene<kinematics::Open, contact::NearField, contact::Contact<>>;
+    using Repulsion = scenes::Scene<kinematics::Space, laws::NearField, contact::Contact<>>;
     const Encounter at{.i = {.velocity = {u, 0.0, 0.0}, .inverse_mass = 1.0}, .j = {.inverse_mass = 1.0}};
     const Repulsion scene{
-        touching_pair(at), {}, contact::NearField{.alpha1 = 0.0, .alpha2 = F, .beta1 = 1.0, .beta2 = 2.0}, smooth(e)};
+        touching_pair(at), {}, laws::NearField{.alpha1 = 0.0, .alpha2 = F, .beta1 = 1.0, .beta2 = 2.0}, smooth(e)};
     return jump_of(scene, dt);
   }
   Wide met() const {

@@ -29,7 +29,7 @@ After strike(Told how, double normal, double tangential, double e, const contact
   } else if (how == Told::rock) {
     v = jump_of(contact_scene(touching_pair(at), rough(e, friction)), 1e-3).v.row(0).transpose();
   } else {
-    using Room = scenes::Scene<kinematics::Walled, contact::Contact<contact::ConstantRestitution, contact::Friction>>;
+    using Room = scenes::Scene<kinematics::Space, contact::Contact<contact::ConstantRestitution, contact::Friction>>;
     kinematics::Particles one{.position = kinematics::Vectors::Zero(1, 3),
                               .velocity = at.i.velocity.transpose(),
                               .mass = Eigen::VectorXd::Constant(1, 0.5),

@@ -47,12 +47,12 @@ Velocities by_scene(const Encounter& at, contact::Resolution resolution) {
 
 // A wall behind the body instead of the other one; it stands still.
 Velocities by_wall(const Encounter& at) {
-  const kinematics::Walled domain{{kinematics::Wall{.point = 0.5 * at.n, .normal = -at.n}}};
+  const kinematics::Space domain{{kinematics::Wall{.point = 0.5 * at.n, .normal = -at.n}}};
   kinematics::Particles one{.position = kinematics::Vectors::Zero(1, 3),
                             .velocity = at.i.velocity.transpose(),
                             .mass = Eigen::VectorXd::Ones(1),
                             .radius = Eigen::VectorXd::Constant(1, 0.5 + 1e-9)};
-  const scenes::Scene<kinematics::Walled, contact::Contact<>> scene{one, domain, smooth(at.e)};
+  const scenes::Scene<kinematics::Space, contact::Contact<>> scene{one, domain, smooth(at.e)};
   return {jump_of(scene, 1e-3).v.row(0).transpose(), Eigen::Vector3d::Zero()};
 }
 

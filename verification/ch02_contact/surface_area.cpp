@@ -10,10 +10,10 @@
 namespace verification::surface_area {
 
 using namespace particulate;
-using contact::NearField, contact::Scaling;
+using laws::NearField, laws::Scaling;
 
 using Cloud =
-    scenes::Scene<kinematics::Open, NearField, contact::Contact<contact::ConstantRestitution, contact::Friction>>;
+    scenes::Scene<kinematics::Space, NearField, contact::Contact<contact::ConstantRestitution, contact::Friction>>;
 
 // Force on the first of two spheres at a distance d along x, by (2.3) with alpha (4 pi b_i^2)(4 pi b_j^2).
 Wide book_force(const NearField& law, Wide b_i, Wide b_j, Wide d) {
@@ -28,15 +28,15 @@ double library_force(const NearField& law, double b_i, double b_j, double d, dou
                              .mass = Eigen::Vector2d{mass, 2.0 * mass},
                              .radius = Eigen::Vector2d{b_i, b_j}};
   pair.position(1, 0) = d;
-  const scenes::Scene<kinematics::Open, NearField> scene{pair, {}, law};
+  const scenes::Scene<kinematics::Space, NearField> scene{pair, {}, law};
   Eigen::VectorXd f(6);
   if (!scene.total_force(scenes::start(scene), f)) throw std::runtime_error("the pair has no forces");
   return f[0];
 }
 
-schemes::Motion end_of(const kinematics::Particles& start, const NearField& law, long steps) {
+schemes::State end_of(const kinematics::Particles& start, const NearField& law, long steps) {
   Cloud cloud{start, {}, law, rough(0.5, {.mu_s = 0.2, .mu_d = 0.1})};
-  schemes::Motion state = scenes::start(cloud);
+  schemes::State state = scenes::start(cloud);
   if (march<schemes::VelocityVerlet>(cloud, state, 0.8, steps).impacts < 4)
     throw std::runtime_error("hardly any impacts");
   return state;
@@ -71,7 +71,7 @@ const Case surface_area{
       NearField by_mass = law;
       by_mass.scaling = Scaling::mass, by_mass.alpha1 /= per_area * per_area, by_mass.alpha2 /= per_area * per_area;
       const long steps = rows.quick() ? 400 : 4000;
-      const schemes::Motion area = end_of(start, law, steps), mass = end_of(start, by_mass, steps);
+      const schemes::State area = end_of(start, law, steps), mass = end_of(start, by_mass, steps);
       rows.at_most(
           "colliding cloud: positions by area and by mass, largest difference [m]",
           {.limit = 1e-11,

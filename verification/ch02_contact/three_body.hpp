@@ -5,7 +5,7 @@
 
 #include <particulate/contact/contact.hpp>
 #include <particulate/contact/impact.hpp>
-#include <particulate/contact/near_field.hpp>
+#include <particulate/laws/near_field.hpp>
 #include <particulate/kinematics/domain.hpp>
 #include <particulate/reference/integrator.hpp>
 #include <particulate/scenes/scene.hpp>
@@ -17,7 +17,7 @@
 
 namespace verification {
 
-using ThreeBodyScene = particulate::scenes::Scene<particulate::kinematics::Open, particulate::contact::NearField,
+using ThreeBodyScene = particulate::scenes::Scene<particulate::kinematics::Space, particulate::laws::NearField,
                                                   particulate::contact::Contact<>>;
 
 constexpr double three_body_restitution = 0.8;
@@ -33,8 +33,8 @@ inline ThreeBodyScene three_body_scene(double closer = 0.0) {
       .mass = Eigen::Vector3d{1.0, 1.3, 0.8},
       .radius = Eigen::Vector3d{0.26, 0.29, 0.24}};
   bodies.position *= 1.0 - closer;
-  return {bodies, particulate::kinematics::Open{},
-          particulate::contact::NearField{.alpha1 = 1.0, .alpha2 = 0.5, .beta1 = 2.0, .beta2 = 3.0},
+  return {bodies, particulate::kinematics::Space{},
+          particulate::laws::NearField{.alpha1 = 1.0, .alpha2 = 0.5, .beta1 = 2.0, .beta2 = 3.0},
           particulate::contact::Contact<>{.restitution = {three_body_restitution}}};
 }
 
@@ -66,7 +66,7 @@ inline particulate::reference::Events gap_events(const Eigen::VectorXd& radius) 
 
 /// What an impact of two of three bodies does: the impact map of section 2.2 at once, without other forces meanwhile.
 inline auto impact_of_pair(const Eigen::VectorXd& mass) {
-  return [mass](particulate::schemes::Motion& state, const std::vector<particulate::reference::Hit>& hits) {
+  return [mass](particulate::schemes::State& state, const std::vector<particulate::reference::Hit>& hits) {
     for (const particulate::reference::Hit& hit : hits) {
       const auto& [i, j] = three_pairs[hit.event];
       const Eigen::Vector3d n = (row_of(state.r, j) - row_of(state.r, i)).normalized();
@@ -83,7 +83,7 @@ inline auto impact_of_pair(const Eigen::VectorXd& mass) {
 /// Moves three bodies by CVODE, stopping at every impact.
 ///
 /// @return the counts of all legs
-inline particulate::schemes::Outcome three_bodies_by_roots(ThreeBodyScene& scene, particulate::schemes::Motion& state,
+inline particulate::schemes::Outcome three_bodies_by_roots(ThreeBodyScene& scene, particulate::schemes::State& state,
                                                            double t_end, double relative) {
   particulate::reference::Integrator integrator(
       scene, state, particulate::reference::Adams{.relative = relative, .absolute = 0.1 * relative},

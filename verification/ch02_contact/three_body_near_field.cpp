@@ -24,12 +24,12 @@ using namespace particulate;
 // Amid flights for every start below.
 constexpr double t_end = 2.9;
 
-double difference(const schemes::Motion& one, const schemes::Motion& other) {
+double difference(const schemes::State& one, const schemes::State& other) {
   return std::max((one.r - other.r).lpNorm<Eigen::Infinity>(), (one.v - other.v).lpNorm<Eigen::Infinity>());
 }
 
 struct ByRoots {
-  schemes::Motion state;
+  schemes::State state;
   schemes::Outcome outcome;
 };
 

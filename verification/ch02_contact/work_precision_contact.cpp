@@ -30,9 +30,9 @@ std::vector<double> halved(double largest, int count) {
 // CVODE with the absolute tolerance a tenth of the relative one.
 template <class Change>
 auto by_roots(const reference::Events& events, const Change& change) {
-  return [=](auto& problem, const schemes::Motion& start, double tolerance) {
+  return [=](auto& problem, const schemes::State& start, double tolerance) {
     const reference::Adams settings{.relative = tolerance, .absolute = 0.1 * tolerance};
-    return [integrator = reference::Integrator(problem, start, settings, events), change](schemes::Motion& state,
+    return [integrator = reference::Integrator(problem, start, settings, events), change](schemes::State& state,
                                                                                           double t_end) mutable {
       return advance_through_impacts(integrator, state, t_end, change);
     };
@@ -72,7 +72,7 @@ struct Gap {
   std::size_t pair;
   double width;
 };
-Gap smallest_gap(const ThreeBodyScene& scene, const schemes::Motion& at) {
+Gap smallest_gap(const ThreeBodyScene& scene, const schemes::State& at) {
   const Eigen::VectorXd& radius = scene.particles().radius;
   Gap smallest{.pair = 0, .width = 1e300};
   for (std::size_t k = 0; k < three_pairs.size(); ++k) {
@@ -83,7 +83,7 @@ Gap smallest_gap(const ThreeBodyScene& scene, const schemes::Motion& at) {
   return smallest;
 }
 
-schemes::Motion flown(ThreeBodyScene& scene, schemes::Motion state, double t_end) {
+schemes::State flown(ThreeBodyScene& scene, schemes::State state, double t_end) {
   const reference::ExplicitRungeKutta fehlberg{
       .table = reference::Table::fehlberg_13_7_8, .relative = 1e-14, .absolute = 1e-15};
   const schemes::Outcome out = reference::integrate(scene, state, t_end, fehlberg);
@@ -92,16 +92,16 @@ schemes::Motion flown(ThreeBodyScene& scene, schemes::Motion state, double t_end
 }
 
 // Another family, without root finding: ARKODE, an impact's time bisected to rounding from flights of their own.
-schemes::Motion by_bisection(ThreeBodyScene& scene, schemes::Motion state, double t_end) {
+schemes::State by_bisection(ThreeBodyScene& scene, schemes::State state, double t_end) {
   constexpr double piece = 1.0 / 64.0;
   while (state.t < t_end) {
     const double to = std::min(state.t + piece, t_end);
-    schemes::Motion there = flown(scene, state, to);
+    schemes::State there = flown(scene, state, to);
     if (smallest_gap(scene, there).width < 0.0) {
       double before = state.t, after = to;
       while (after - before > 1e-14) {
         const double middle = 0.5 * (before + after);
-        schemes::Motion halfway = flown(scene, state, middle);
+        schemes::State halfway = flown(scene, state, middle);
         const bool touches = smallest_gap(scene, halfway).width < 0.0;
         (touches ? after : before) = middle;
         if (touches) there = halfway;
@@ -122,10 +122,10 @@ const Case three_bodies{
       ThreeBodyScene scene = three_body_scene();
       Race<ThreeBodyScene> race{
           .problem = scene, .start = scenes::start(scene), .outputs = {0.6, 1.2, 2.0, 2.9}, .truth = {}};
-      std::vector<schemes::Motion> exact;
+      std::vector<schemes::State> exact;
       double disagreement = 0.0;
       for (const double t : race.outputs) {
-        schemes::Motion by_cvode = scenes::start(scene);
+        schemes::State by_cvode = scenes::start(scene);
         const schemes::Outcome out = three_bodies_by_roots(scene, by_cvode, t, 1e-14);
         if (out.status != schemes::Status::reached) throw std::runtime_error(out.reason);
         exact.push_back(by_bisection(scene, scenes::start(scene), t));
@@ -137,7 +137,7 @@ const Case three_bodies{
                     .computed = disagreement,
                     .because = "tolerances of 1e-14 with global errors some thousand times larger"});
       race.truth = [exact](double t) {
-        return *std::find_if(exact.begin(), exact.end(), [t](const schemes::Motion& at) { return at.t == t; });
+        return *std::find_if(exact.begin(), exact.end(), [t](const schemes::State& at) { return at.t == t; });
       };
       const std::vector<double> steps = halved(1e-3, rows.quick() ? 8 : 11);
       const char* const scatter =

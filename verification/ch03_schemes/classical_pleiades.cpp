@@ -13,7 +13,7 @@ using namespace particulate;
 
 void compare(Rows& rows, const std::string& how, const reference::Method& method) {
   const auto scene = pleiades();
-  schemes::Motion state = scenes::start(scene);
+  schemes::State state = scenes::start(scene);
   const schemes::Outcome out = reference::integrate(scene, state, pleiades_end, method);
   rows.equal(how + ": ended", {.expected = "reached",
                                .computed = out.reason.empty() ? "reached" : out.reason,

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <functional>
 
-#include <particulate/contact/near_field.hpp>
+#include <particulate/laws/near_field.hpp>
 #include <particulate/kinematics/domain.hpp>
 #include <particulate/kinematics/particles.hpp>
 #include <particulate/scenes/scene.hpp>
@@ -34,9 +34,9 @@ struct Robertson {
     J.row(1) = -J.row(0) - J.row(2);
   }
   /// @return one of the first substance, none of the others
-  static particulate::schemes::Values start() { return {.t = 0.0, .y = Eigen::Vector3d{1.0, 0.0, 0.0}}; }
+  static particulate::schemes::State start() { return {.t = 0.0, .y = Eigen::Vector3d{1.0, 0.0, 0.0}}; }
   /// @return the published digits
-  static particulate::schemes::Values published() {
+  static particulate::schemes::State published() {
     return {.t = 1e11, .y = Eigen::Vector3d{2.083340149701255e-8, 8.333360770334713e-14, 0.9999999791665050}};
   }
 };
@@ -57,9 +57,9 @@ struct VanDerPol {
     J << 0.0, 1.0, -2.0 * mu * y[0] * y[1] - 1.0, mu * (1.0 - y[0] * y[0]);
   }
   /// @return the outermost place, at rest
-  static particulate::schemes::Values start() { return {.t = 0.0, .y = Eigen::Vector2d{2.0, 0.0}}; }
+  static particulate::schemes::State start() { return {.t = 0.0, .y = Eigen::Vector2d{2.0, 0.0}}; }
   /// @return the published digits, mu = 1000
-  static particulate::schemes::Values published() {
+  static particulate::schemes::State published() {
     return {.t = 2000.0, .y = Eigen::Vector2d{1.706167732170469, -8.928097010248125e-4}};
   }
 };
@@ -87,9 +87,9 @@ struct Oregonator {
     J.row(2) << w, 0.0, -w;
   }
   /// @return (1, 2, 3)
-  static particulate::schemes::Values start() { return {.t = 0.0, .y = Eigen::Vector3d{1.0, 2.0, 3.0}}; }
+  static particulate::schemes::State start() { return {.t = 0.0, .y = Eigen::Vector3d{1.0, 2.0, 3.0}}; }
   /// @return the published digits
-  static particulate::schemes::Values published() {
+  static particulate::schemes::State published() {
     return {.t = 360.0, .y = Eigen::Vector3d{1.000814870318523, 1228.178521549917, 132.0554942846706}};
   }
 };
@@ -124,7 +124,7 @@ AnyValues any_values(P& problem) {
 
 /// The Pleiades: seven stars of masses 1 ... 7 in a plane, which pass close by one another. Gravity with the constant 1
 /// is the near field that attracts with the square of the distance and repels not at all.
-inline particulate::scenes::Scene<particulate::kinematics::Open, particulate::contact::NearField> pleiades() {
+inline particulate::scenes::Scene<particulate::kinematics::Space, particulate::laws::NearField> pleiades() {
   particulate::kinematics::Particles stars{.position = particulate::kinematics::Vectors::Zero(7, 3),
                                            .velocity = particulate::kinematics::Vectors::Zero(7, 3),
                                            .mass = Eigen::VectorXd::LinSpaced(7, 1.0, 7.0),
@@ -133,8 +133,8 @@ inline particulate::scenes::Scene<particulate::kinematics::Open, particulate::co
   stars.position.col(1) << 3.0, -3.0, 2.0, 0.0, 0.0, -4.0, 4.0;
   stars.velocity.col(0) << 0.0, 0.0, 0.0, 0.0, 0.0, 1.75, -1.5;
   stars.velocity.col(1) << 0.0, 0.0, 0.0, -1.25, 1.0, 0.0, 0.0;
-  return {stars, particulate::kinematics::Open{},
-          particulate::contact::NearField{.alpha1 = 1.0, .alpha2 = 0.0, .beta1 = 2.0}};
+  return {stars, particulate::kinematics::Space{},
+          particulate::laws::NearField{.alpha1 = 1.0, .alpha2 = 0.0, .beta1 = 2.0}};
 }
 
 /// Where the Pleiades have published digits [s].

@@ -21,7 +21,7 @@ struct Tolerances {
 };
 
 template <class P>
-void compare(Rows& rows, const std::string& how, P problem, schemes::Values state, const schemes::Values& known,
+void compare(Rows& rows, const std::string& how, P problem, schemes::State state, const schemes::State& known,
              const Tolerances& allowed) {
   const reference::Bdf method{.relative = allowed.relative, .absolute = allowed.absolute};
   const schemes::Outcome out = reference::integrate(problem, state, known.t, method);

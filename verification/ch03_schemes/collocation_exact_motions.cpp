@@ -31,7 +31,7 @@ struct Mover {
   explicit Mover(double period)
       : control{.TOL = TOL, .sweep_TOL = sweep_TOL, .step = period / 1000.0, .limit = period / 10.0} {}
 
-  void operator()(NearFieldScene& scene, schemes::Motion& state, double t_end) {
+  void operator()(NearFieldScene& scene, schemes::State& state, double t_end) {
     const schemes::Outcome out = integrate(scene, state, t_end, scheme, control);
     require_reached(out);
     evaluations += out.evaluations;
@@ -47,7 +47,7 @@ struct Seen {
 Seen follow(const ExactBreathing& exact, NearFieldScene& scene, const kinematics::Vectors& shape, int tenths) {
   const double period = exact.motion.period();
   Mover move(period);
-  schemes::Motion state = scenes::start(scene);
+  schemes::State state = scenes::start(scene);
   Seen seen;
   for (int k = 1; k <= tenths; ++k) {
     move(scene, state, period * k / 10.0);
@@ -111,7 +111,7 @@ const Case collocation_breathing_polygon{
     }};
 
 // Body 1 seen from body 0, and its velocity, at an angle phi = int l_z/r^2 dt that has been integrated apart.
-void compare_turned(const kinematics::Radial& at, double phi, const schemes::Motion& state, double fastest,
+void compare_turned(const kinematics::Radial& at, double phi, const schemes::State& state, double fastest,
                     BreathingErrors& worst) {
   const Eigen::Vector3d along = std::cos(phi) * slanted() + std::sin(phi) * turning::across();
   const Eigen::Vector3d around = std::cos(phi) * turning::across() - std::sin(phi) * slanted();
@@ -129,7 +129,7 @@ const Case collocation_rotating_pair{
     [](Rows& rows) {
       const kinematics::Breathing exact(turning::force(), 1.0);
       NearFieldScene scene = turning::pair();
-      schemes::Motion state = scenes::start(scene);
+      schemes::State state = scenes::start(scene);
       Mover move(exact.period());
       BreathingErrors worst;
       double phi = 0.0;

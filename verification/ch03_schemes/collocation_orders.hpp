@@ -20,11 +20,11 @@
 namespace verification {
 
 /// Distance of two states: positions and velocities, or all values.
-inline double apart(const particulate::schemes::Motion& one, const particulate::schemes::Motion& other) {
+inline double apart(const particulate::schemes::State& one, const particulate::schemes::State& other) {
   return std::hypot((one.r - other.r).norm(), (one.v - other.v).norm());
 }
 /// @copydoc apart
-inline double apart(const particulate::schemes::Values& one, const particulate::schemes::Values& other) {
+inline double apart(const particulate::schemes::State& one, const particulate::schemes::State& other) {
   return (one.y - other.y).norm();
 }
 

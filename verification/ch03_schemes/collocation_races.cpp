@@ -17,9 +17,9 @@ Advance<State> begin(Problem problem, const schemes::CollocationSettings& settin
 }
 
 template <class Control>
-Advance<schemes::Motion> begin_gauss(int stages, AnyMotion problem, const schemes::CollocationSettings& settings,
+Advance<schemes::State> begin_gauss(int stages, AnyMotion problem, const schemes::CollocationSettings& settings,
                                      const Control& control) {
-  using schemes::Collocation, schemes::Gauss, schemes::Motion;
+  using schemes::Collocation, schemes::Gauss, schemes::State;
   switch (stages) {
     case 4:
       return begin<Collocation<Gauss<4>>, Motion>(std::move(problem), settings, control);
@@ -32,19 +32,19 @@ Advance<schemes::Motion> begin_gauss(int stages, AnyMotion problem, const scheme
 
 }  // namespace collocation_races
 
-Advance<schemes::Motion> gauss(int stages, AnyMotion problem, const schemes::CollocationSettings& settings,
+Advance<schemes::State> gauss(int stages, AnyMotion problem, const schemes::CollocationSettings& settings,
                                const schemes::FixedSweeps& control) {
   return collocation_races::begin_gauss(stages, std::move(problem), settings, control);
 }
 
-Advance<schemes::Motion> gauss(int stages, AnyMotion problem, const schemes::CollocationSettings& settings,
+Advance<schemes::State> gauss(int stages, AnyMotion problem, const schemes::CollocationSettings& settings,
                                const schemes::ErrorControl& control) {
   return collocation_races::begin_gauss(stages, std::move(problem), settings, control);
 }
 
-Advance<schemes::Values> radau(int stages, AnyValues problem, const schemes::CollocationSettings& settings,
+Advance<schemes::State> radau(int stages, AnyValues problem, const schemes::CollocationSettings& settings,
                                const schemes::ErrorControl& control) {
-  using schemes::Collocation, schemes::Newton, schemes::Radau, schemes::Values;
+  using schemes::Collocation, schemes::Newton, schemes::Radau, schemes::State;
   switch (stages) {
     case 3:
       return collocation_races::begin<Collocation<Radau<3>, Newton<>>, Values>(std::move(problem), settings, control);

@@ -41,10 +41,10 @@ using Advance = std::function<schemes::Outcome(State&, double)>;
 /// @param control   of its steps
 /// @return the run
 /// @throws std::invalid_argument for another number of stages
-Advance<schemes::Motion> gauss(int stages, AnyMotion problem, const schemes::CollocationSettings& settings,
+Advance<schemes::State> gauss(int stages, AnyMotion problem, const schemes::CollocationSettings& settings,
                                const schemes::FixedSweeps& control);
 /// @copydoc gauss(int, AnyMotion, const schemes::CollocationSettings&, const schemes::FixedSweeps&)
-Advance<schemes::Motion> gauss(int stages, AnyMotion problem, const schemes::CollocationSettings& settings,
+Advance<schemes::State> gauss(int stages, AnyMotion problem, const schemes::CollocationSettings& settings,
                                const schemes::ErrorControl& control);
 
 /// Begins a run of Radau IIA collocation with Newton's method and dense matrices.
@@ -55,7 +55,7 @@ Advance<schemes::Motion> gauss(int stages, AnyMotion problem, const schemes::Col
 /// @param control   of its steps
 /// @return the run
 /// @throws std::invalid_argument for another number of stages
-Advance<schemes::Values> radau(int stages, AnyValues problem, const schemes::CollocationSettings& settings,
+Advance<schemes::State> radau(int stages, AnyValues problem, const schemes::CollocationSettings& settings,
                                const schemes::ErrorControl& control);
 
 /// @param problem  forces that depend on positions only; must outlive what is returned @return it without its type
@@ -69,7 +69,7 @@ AnyMotion any_motion(P& problem) {
 ///
 /// @param stages  4 or 8 @param sweeps of each step @return begin(problem, start, step)
 inline auto gauss_at_fixed_step(int stages, int sweeps) {
-  return [=](auto& problem, const schemes::Motion&, double step) {
+  return [=](auto& problem, const schemes::State&, double step) {
     return gauss(stages, any_motion(problem), {}, schemes::FixedSweeps{.step = step, .sweeps = sweeps});
   };
 }
@@ -90,7 +90,7 @@ template <class P>
 auto gauss_under_control(const Choice& choice, const Race<P>& race) {
   const schemes::CollocationSettings settings{.size = race.length, .speed = race.speed, .sizes = {}};
   const double T = race.outputs.back();
-  return [=](auto& problem, const schemes::Motion&, double tolerance) {
+  return [=](auto& problem, const schemes::State&, double tolerance) {
     return gauss(choice.stages, any_motion(problem), settings,
                  schemes::ErrorControl{.TOL = tolerance,
                                        .sweep_TOL = std::max(choice.share * tolerance, 2.3e-16),

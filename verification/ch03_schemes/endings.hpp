@@ -18,7 +18,7 @@ inline Ending ending_of(const particulate::schemes::Outcome& outcome) {
 
 /// How far a step is from the equation of backward Euler, \f$ r' = r + \Delta t\,v + \Delta t^2 a(r') \f$.
 template <class P>
-double defect(P& problem, const particulate::schemes::Motion& from, const particulate::schemes::Motion& to, double dt) {
+double defect(P& problem, const particulate::schemes::State& from, const particulate::schemes::State& to, double dt) {
   Eigen::VectorXd a(to.r.size());
   if (!problem.acceleration(to.t, to.r, a)) return missing;
   const Eigen::VectorXd residual = to.r - from.r - dt * from.v - dt * dt * a;

@@ -29,7 +29,7 @@ constexpr double pi = std::numbers::pi;
 
 struct Run {
   schemes::Outcome outcome;
-  schemes::Motion state;
+  schemes::State state;
   std::vector<Hit> hits;
 };
 
@@ -121,7 +121,7 @@ void several(Rows& rows) {
 void against_cvode(Rows& rows) {
   const Run ours = spring_until<6>(20.0, 0.3, three_functions());
   Oscillators spring = oscillator(1.0);
-  schemes::Motion state = motion(1.0, 0.0);
+  schemes::State state = motion(1.0, 0.0);
   reference::Integrator integrator(spring, state, reference::Adams{.relative = 1e-13, .absolute = 1e-14},
                                    three_functions());
   std::vector<Hit> theirs;

@@ -31,7 +31,7 @@ struct KinsolEuler {
   /// @param to       receives the state at its end
   /// @return whether KINSOL solved it; else unmet says why not
   template <class P>
-  bool predict(P& problem, const schemes::Motion& from, double dt, schemes::Motion& to) {
+  bool predict(P& problem, const schemes::State& from, double dt, schemes::State& to) {
     const Eigen::VectorXd flight = from.r + dt * from.v;
     const particulate::reference::Map map = [&](schemes::In a, schemes::Out g) {
       const Eigen::VectorXd place = flight + dt * dt * a;
@@ -56,9 +56,9 @@ struct KinsolEuler {
 /// @param TOL    on the sweeps, from the step
 /// @return begin(problem, start, step)
 inline auto by_kinsol(double speed, SweepTolerance TOL) {
-  return [=](auto& problem, const schemes::Motion&, double step) {
+  return [=](auto& problem, const schemes::State&, double step) {
     return [&problem, scheme = KinsolEuler{.tolerance = TOL(step) * speed / step},
-            control = schemes::FixedStep{.step = step}](schemes::Motion& state, double t_end) mutable {
+            control = schemes::FixedStep{.step = step}](schemes::State& state, double t_end) mutable {
       schemes::Outcome out = schemes::integrate(problem, state, t_end, scheme, control);
       if (!scheme.unmet.empty()) out.reason = scheme.unmet;
       return out;

@@ -48,12 +48,12 @@ struct Oscillators {
 inline Oscillators oscillator(double omega) { return {.omega = Eigen::VectorXd::Constant(1, omega)}; }
 
 /// The start of one oscillator.
-inline particulate::schemes::Motion motion(double r, double v) {
+inline particulate::schemes::State motion(double r, double v) {
   return {.t = 0.0, .r = Eigen::VectorXd::Constant(1, r), .v = Eigen::VectorXd::Constant(1, v)};
 }
 
 /// Energy of one oscillator per unit mass, doubled: \f$ v^2 + \omega^2 r^2 \f$.
-inline double energy(double omega, const particulate::schemes::Motion& at) {
+inline double energy(double omega, const particulate::schemes::State& at) {
   return at.v[0] * at.v[0] + omega * omega * at.r[0] * at.r[0];
 }
 
@@ -61,21 +61,21 @@ inline double energy(double omega, const particulate::schemes::Motion& at) {
 ///
 /// With \f$ r_e = r + (1 - \phi)\Delta t\,v \f$ and \f$ v_e = v - (1 - \phi)\Delta t\,\omega^2 r \f$ it asks for
 /// \f$ r' - \phi\Delta t\,v' = r_e,\ \phi\Delta t\,\omega^2 r' + v' = v_e \f$.
-inline particulate::schemes::Motion phi_step(double phi, double omega, double dt,
-                                             const particulate::schemes::Motion& from) {
+inline particulate::schemes::State phi_step(double phi, double omega, double dt,
+                                             const particulate::schemes::State& from) {
   const double explicit_share = (1.0 - phi) * dt, implicit_share = phi * dt, stiffness = omega * omega;
   const double r_e = from.r[0] + explicit_share * from.v[0];
   const double v_e = from.v[0] - explicit_share * stiffness * from.r[0];
   const double determinant = 1.0 + implicit_share * implicit_share * stiffness;
-  particulate::schemes::Motion to =
+  particulate::schemes::State to =
       motion((r_e + implicit_share * v_e) / determinant, (v_e - implicit_share * stiffness * r_e) / determinant);
   to.t = from.t + dt;
   return to;
 }
 
 /// How far one oscillator is from another in its phase plane, over the size of the orbit.
-inline double apart(double omega, const particulate::schemes::Motion& one, const particulate::schemes::Motion& other) {
-  const particulate::schemes::Motion difference{.t = 0.0, .r = one.r - other.r, .v = one.v - other.v};
+inline double apart(double omega, const particulate::schemes::State& one, const particulate::schemes::State& other) {
+  const particulate::schemes::State difference{.t = 0.0, .r = one.r - other.r, .v = one.v - other.v};
   return std::sqrt(energy(omega, difference) / energy(omega, other));
 }
 

@@ -25,11 +25,11 @@ namespace verification::located_contact_roots {
 
 using namespace particulate;
 
-constexpr contact::NearField field{.alpha1 = 1.0, .alpha2 = 0.5, .beta1 = 2.0, .beta2 = 3.0};
+constexpr laws::NearField field{.alpha1 = 1.0, .alpha2 = 0.5, .beta1 = 2.0, .beta2 = 3.0};
 
-using Colliding = scenes::Scene<kinematics::Open, contact::NearField, contact::LocatedContact<>>;
+using Colliding = scenes::Scene<kinematics::Space, laws::NearField, contact::LocatedContact<>>;
 Colliding scene_of(const kinematics::Particles& bodies) {
-  return {bodies, kinematics::Open{}, field, contact::LocatedContact<>{.restitution = {three_body_restitution}}};
+  return {bodies, kinematics::Space{}, field, contact::LocatedContact<>{.restitution = {three_body_restitution}}};
 }
 
 // Ten bodies of different sizes on a jittered lattice 0.7 m wide, with gaps of some tenths, in random motion.
@@ -55,7 +55,7 @@ kinematics::Particles ten_bodies(std::uint64_t seed) {
 }
 
 struct Motions {
-  schemes::Motion state;
+  schemes::State state;
   schemes::Outcome outcome;
   std::vector<double> times;  // of the impacts
 };
@@ -92,7 +92,7 @@ Motions by_roots(const kinematics::Particles& bodies, double t_end, double toler
   Motions run{.state = scenes::start(scene), .outcome = {}, .times = {}};
   reference::Integrator integrator(scene, run.state,
                                    reference::Adams{.relative = tolerance, .absolute = 0.1 * tolerance}, events);
-  const auto collide = [&](schemes::Motion& state, const std::vector<reference::Hit>& hits) {
+  const auto collide = [&](schemes::State& state, const std::vector<reference::Hit>& hits) {
     for (const reference::Hit& hit : hits) {
       const auto& [i, j] = pairs[hit.event];
       const contact::Rebound after =
@@ -116,7 +116,7 @@ Motions by_location(const kinematics::Particles& bodies, double t_end, C control
   const Colliding scene = scene_of(bodies);
   Motions run{.state = scenes::start(scene), .outcome = {}, .times = {}};
   schemes::Collocation<schemes::Gauss<6>> scheme;
-  const auto watch = [&](const schemes::Motion&, const schemes::Motion& to, double, const auto&) {
+  const auto watch = [&](const schemes::State&, const schemes::State& to, double, const auto&) {
     for (Eigen::Index i = 0; i < bodies.size(); ++i) {
       for (Eigen::Index j = i + 1; j < bodies.size(); ++j) {
         const double gap = (row_of(to.r, j) - row_of(to.r, i)).norm() - bodies.radius[i] - bodies.radius[j];

@@ -10,7 +10,7 @@
 #include <ch02_contact/bouncing.hpp>
 #include <harness/case.hpp>
 #include <particulate/contact/located_contact.hpp>
-#include <particulate/contact/near_field.hpp>
+#include <particulate/laws/near_field.hpp>
 #include <particulate/kinematics/breathing.hpp>
 #include <particulate/schemes/collocation.hpp>
 #include <particulate/schemes/fixed_step.hpp>
@@ -27,20 +27,20 @@ using namespace particulate;
 constexpr double height = 0.4;
 
 // The scene of chapter 2, with its contacts located; the ground may slope.
-using Located = scenes::Scene<kinematics::Walled, scenes::Gravity, contact::LocatedContact<>>;
+using Located = scenes::Scene<kinematics::Space, laws::Gravity, contact::LocatedContact<>>;
 Located bouncing(double e, const Eigen::Vector3d& ground_normal, const Eigen::Vector3d& velocity) {
   kinematics::Particles ball{.position = ((ball_radius + height) * ground_normal).transpose(),
                              .velocity = velocity.transpose(),
                              .mass = Eigen::VectorXd::Constant(1, 2.0),
                              .radius = Eigen::VectorXd::Constant(1, ball_radius)};
-  return {ball, kinematics::Walled{{kinematics::Wall{.normal = ground_normal}}}, scenes::Gravity{},
+  return {ball, kinematics::Space{{kinematics::Wall{.normal = ground_normal}}}, laws::Gravity{},
           contact::LocatedContact<>{.restitution = {e}}};
 }
 
 // What a run met.
 struct Met {
   schemes::Outcome outcome;
-  schemes::Motion state;
+  schemes::State state;
   int impacts = 0;
   double worst_time = 0.0, worst_speed = 0.0;
 };
@@ -50,7 +50,7 @@ Met follow(const Located& scene, const Eigen::Vector3d& normal, const Bouncing& 
   Met met{.outcome = {}, .state = scenes::start(scene)};
   schemes::Collocation<schemes::Gauss<4>> scheme;
   schemes::FixedStep control{.step = step};
-  const auto watch = [&](const schemes::Motion&, const schemes::Motion& to, double, const auto&) {
+  const auto watch = [&](const schemes::State&, const schemes::State& to, double, const auto&) {
     const double speed = to.v.dot(normal);
     if (!(std::abs(to.r.dot(normal) - ball_radius) <= 1e-12 && speed < 0.0)) return true;
     keep_worst(met.worst_time, std::abs(to.t - exact.impact_time(met.impacts)));
@@ -142,8 +142,8 @@ const Case rest{
 auto colliding_pair() {
   kinematics::Particles two = pair_at_rest(1.0, 1.0, 1.0);
   two.radius.setConstant(0.25);
-  return scenes::Scene(two, kinematics::Open{},
-                       contact::NearField{.alpha1 = 1.0, .alpha2 = 0.5, .beta1 = 2.0, .beta2 = 3.0},
+  return scenes::Scene(two, kinematics::Space{},
+                       laws::NearField{.alpha1 = 1.0, .alpha2 = 0.5, .beta1 = 2.0, .beta2 = 3.0},
                        contact::LocatedContact{});
 }
 
@@ -151,7 +151,7 @@ template <int S>
 void pair_order(Rows& rows, const std::vector<long>& counts) {
   const double contact_time = std::sqrt(4.0 / 27.0) * (2.0 * std::numbers::pi / 3.0 + 0.25 * std::numbers::sqrt3);
   const auto scene = colliding_pair();
-  const auto apart = [](const schemes::Motion& there) {
+  const auto apart = [](const schemes::State& there) {
     return (there.r(Eigen::seqN(0, 3, 2)) - there.r(Eigen::seqN(1, 3, 2))).norm();
   };
   const kinematics::Breathing motion(kinematics::breathing_pair(1.0, 0.5, 1.0, 1.0), 1.0);
@@ -159,11 +159,11 @@ void pair_order(Rows& rows, const std::vector<long>& counts) {
   bool one_each = true;
   for (const long n : counts) {
     const double step = contact_time / (static_cast<double>(n) + 0.5);
-    schemes::Motion state = scenes::start(scene);
+    schemes::State state = scenes::start(scene);
     schemes::Collocation<schemes::Gauss<S>> scheme;
     schemes::FixedStep control{.step = step};
     double met = missing;
-    const auto watch = [&](const schemes::Motion&, const schemes::Motion& to, double, const auto&) {
+    const auto watch = [&](const schemes::State&, const schemes::State& to, double, const auto&) {
       if (std::abs(apart(to) - 0.5) <= 1e-13) met = to.t;
       return true;
     };
@@ -204,11 +204,11 @@ const Case forgets{
     [](Rows& rows) {
       const auto scene = colliding_pair();
       using Scheme = schemes::Collocation<schemes::Gauss<3>>;
-      schemes::Motion state = scenes::start(scene);
+      schemes::State state = scenes::start(scene);
       Scheme scheme;
       schemes::FixedStep control{.step = 0.055};
       double last = 0.0;
-      const auto to_the_contact = [&](const schemes::Motion&, const schemes::Motion&, double dt, const Scheme&) {
+      const auto to_the_contact = [&](const schemes::State&, const schemes::State&, double dt, const Scheme&) {
         const bool whole = dt == control.step;
         last = dt;
         return whole;
@@ -219,7 +219,7 @@ const Case forgets{
       rows.at_least(
           "its share of the step [-]",
           {.limit = 0.5, .computed = last / control.step, .because = "a shorter one is forgotten for another reason"});
-      schemes::Motion afresh = state;
+      schemes::State afresh = state;
       Scheme none;
       const schemes::Outcome one = schemes::integrate(scene, state, state.t + 0.3, scheme, control);
       const schemes::Outcome other = schemes::integrate(scene, afresh, afresh.t + 0.3, none, control);

@@ -21,7 +21,7 @@ struct CirclingPair {
 
   bool acceleration(double t, schemes::In r, schemes::Out a) { return scene.acceleration(t, r, a); }
   double distance(schemes::In x, schemes::In y) const { return scene.distance(x, y); }
-  schemes::Motion exact(double t) const {
+  schemes::State exact(double t) const {
     const Eigen::Vector3d r = std::cos(omega * t) * slanted() + std::sin(omega * t) * across;
     const Eigen::Vector3d v = omega * (std::cos(omega * t) * across - std::sin(omega * t) * slanted());
     kinematics::Vectors places(2, 3), velocities(2, 3);

@@ -20,7 +20,7 @@ constexpr int depth = 3;  // earlier iterates that either Anderson mixes in
 
 // Where a step ends, and what that took.
 struct Solved {
-  schemes::Motion state;
+  schemes::State state;
   long evaluations;
   schemes::Failure failure;
   std::string reason;
@@ -28,8 +28,8 @@ struct Solved {
 };
 
 template <class Mixing>
-Solved by_sweeps(const NearFieldScene& scene, const schemes::Motion& from, double dt, Mixing mixing) {
-  schemes::Motion state = from;
+Solved by_sweeps(const NearFieldScene& scene, const schemes::State& from, double dt, Mixing mixing) {
+  schemes::State state = from;
   schemes::PhiFamily<Mixing> scheme(1.0, mixing);
   schemes::FixedStep control{.step = dt};
   const schemes::Outcome out = schemes::integrate(scene, state, from.t + dt, scheme, control);
@@ -41,7 +41,7 @@ Solved by_sweeps(const NearFieldScene& scene, const schemes::Motion& from, doubl
 }
 
 // KINSOL knows nothing of our scheme but its map, r -> r_L + dt v_L + dt^2 a(r), and starts where it does.
-Solved by_kinsol(const NearFieldScene& scene, const schemes::Motion& from, double dt, int anderson, double tolerance) {
+Solved by_kinsol(const NearFieldScene& scene, const schemes::State& from, double dt, int anderson, double tolerance) {
   const Eigen::VectorXd flight = from.r + dt * from.v;
   const reference::Map map = [&](schemes::In r, schemes::Out g) {
     const bool value = scene.acceleration(from.t + dt, r, g);
@@ -57,7 +57,7 @@ Solved by_kinsol(const NearFieldScene& scene, const schemes::Motion& from, doubl
           .reason = point.reason};
 }
 
-double apart(const Solved& one, const Solved& other, const schemes::Motion& from) {
+double apart(const Solved& one, const Solved& other, const schemes::State& from) {
   return (one.state.r - other.state.r).lpNorm<Eigen::Infinity>() / (other.state.r - from.r).lpNorm<Eigen::Infinity>();
 }
 
@@ -67,7 +67,7 @@ void solved(Rows& rows, const std::string& who, const Solved& by) {
                                 .because = "only what is solved can agree"});
 }
 
-void same_point(Rows& rows, const std::string& who, const Solved& by, const Solved& judge, const schemes::Motion& from,
+void same_point(Rows& rows, const std::string& who, const Solved& by, const Solved& judge, const schemes::State& from,
                 double limit, const std::string& because) {
   solved(rows, who, by);
   rows.at_most(who + " and KINSOL with Anderson, apart over the displacement",
@@ -83,7 +83,7 @@ const Case cloud{
     [](Rows& rows) {
       const NearFieldScene scene(random_cloud({.N = 20}, 1), {},
                                  {.alpha1 = 0.5, .alpha2 = 0.25, .beta1 = 1.0, .beta2 = 2.0});
-      const schemes::Motion from = scenes::start(scene);
+      const schemes::State from = scenes::start(scene);
       constexpr double dt = 0.15, tolerance = 1e-14;
       const Solved judge = by_kinsol(scene, from, dt, depth, tolerance);
       solved(rows, "KINSOL with Anderson", judge);
@@ -124,7 +124,7 @@ const Case beyond{
                                  .radius = Eigen::VectorXd::Zero(2)};
       pair.position.col(0) << -0.5 * d_e * (1.0 + off), 0.5 * d_e * (1.0 + off);
       const NearFieldScene scene(pair, {}, {.alpha1 = 0.5, .alpha2 = 0.25, .beta1 = 1.0, .beta2 = 2.0});
-      const schemes::Motion from = scenes::start(scene);
+      const schemes::State from = scenes::start(scene);
       const Solved judge = by_kinsol(scene, from, dt, 1, 1e-15);
       solved(rows, "KINSOL with Anderson", judge);
       const Solved anderson = by_sweeps(scene, from, dt, schemes::Anderson(1));

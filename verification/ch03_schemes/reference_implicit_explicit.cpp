@@ -51,7 +51,7 @@ const Case implicit_explicit{
       constexpr double t_end = 10.0, tolerance = 1e-8;
       DraggedOscillator problem;
       for (const reference::AdditiveTable table : reference::additive_tables) {
-        schemes::Values state{.t = 0.0, .y = Eigen::Vector2d{1.0, 0.0}};
+        schemes::State state{.t = 0.0, .y = Eigen::Vector2d{1.0, 0.0}};
         const schemes::Outcome out = reference::integrate(
             problem, state, t_end,
             reference::ImplicitExplicit{.table = table, .relative = tolerance, .absolute = 1e-3 * tolerance});

@@ -32,14 +32,14 @@ Swept<State> sweep(S scheme, P problem, const State& from, double dt, int sweeps
 }
 
 /// Sums of absolute changes of positions from iterate to iterate, over no denominator.
-inline std::vector<double> changes(const std::vector<particulate::schemes::Motion>& iterates) {
+inline std::vector<double> changes(const std::vector<particulate::schemes::State>& iterates) {
   std::vector<double> of;
   for (std::size_t k = 1; k < iterates.size(); ++k) { of.push_back((iterates[k].r - iterates[k - 1].r).lpNorm<1>()); }
   return of;
 }
 
 /// @copydoc changes
-inline std::vector<double> changes(const std::vector<particulate::schemes::Values>& iterates) {
+inline std::vector<double> changes(const std::vector<particulate::schemes::State>& iterates) {
   std::vector<double> of;
   for (std::size_t k = 1; k < iterates.size(); ++k) { of.push_back((iterates[k].y - iterates[k - 1].y).lpNorm<1>()); }
   return of;

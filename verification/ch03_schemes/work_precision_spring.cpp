@@ -25,7 +25,7 @@ Race<Oscillators> spring_race() {
   for (int leg = 1; leg <= 5; ++leg) race.outputs.push_back(t_end * leg / 5.0);
   race.truth = [](double t) {
     const double c = std::cos(t), s = std::sin(t);
-    schemes::Motion exact = motion(r_0 * c + v_0 * s, v_0 * c - r_0 * s);
+    schemes::State exact = motion(r_0 * c + v_0 * s, v_0 * c - r_0 * s);
     exact.t = t;
     return exact;
   };

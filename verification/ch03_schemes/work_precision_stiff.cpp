@@ -31,7 +31,7 @@ struct Stiff {
 // costs s/2 decompositions. Sweeps to a hundredth of the step's tolerance: what they leave would pass for truncation.
 template <class P>
 auto radau_under_control(int stages, const Stiff& of) {
-  return [stages, sizes = of.sizes](auto& problem, const schemes::Values&, double tolerance) {
+  return [stages, sizes = of.sizes](auto& problem, const schemes::State&, double tolerance) {
     schemes::CollocationSettings settings;
     settings.sizes = sizes;
     return radau(stages, any_values(problem), settings,
@@ -50,8 +50,8 @@ constexpr double published_floor = 1e-13;
 
 template <class P>
 void measure(Rows& rows, const Stiff& of, const P& problem = {}) {
-  const schemes::Values end = P::published();
-  const Race<P, schemes::Values> race{
+  const schemes::State end = P::published();
+  const Race<P, schemes::State> race{
       .problem = problem, .start = P::start(), .outputs = {end.t}, .truth = [end](double) { return end; }};
   const auto by_bdf = [&](double absolute) {
     return tuned(competitor(fmt::format("CVODE BDF, absolute {:.0e}", absolute), race, tolerances(1e-14, 1e-3),

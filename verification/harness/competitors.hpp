@@ -21,7 +21,7 @@
 namespace verification {
 
 /// What every competitor is asked to do: the same right-hand side, start and output times, and the same truth.
-template <class P, class State = schemes::Motion>
+template <class P, class State = schemes::State>
 struct Race {
   P problem;                           ///< copied for each competitor
   State start;                         ///< where it starts
@@ -33,27 +33,27 @@ struct Race {
 
 namespace detail {
 
-inline std::vector<double> flat(const schemes::Motion& state) {
+inline std::vector<double> flat(const schemes::State& state) {
   std::vector<double> all(state.r.begin(), state.r.end());
   all.insert(all.end(), state.v.begin(), state.v.end());
   return all;
 }
 
-inline std::vector<double> flat(const schemes::Values& state) { return {state.y.begin(), state.y.end()}; }
+inline std::vector<double> flat(const schemes::State& state) { return {state.y.begin(), state.y.end()}; }
 
 template <class P>
-bool rate_at(P& problem, const schemes::Motion& state, Eigen::VectorXd& rate) {
+bool rate_at(P& problem, const schemes::State& state, Eigen::VectorXd& rate) {
   rate.resize(state.r.size());
   return schemes::acceleration_of(problem, state.t, state.r, state.v, rate);
 }
 template <class P>
-bool rate_at(P& problem, const schemes::Values& state, Eigen::VectorXd& rate) {
+bool rate_at(P& problem, const schemes::State& state, Eigen::VectorXd& rate) {
   rate.resize(state.y.size());
   return problem.rate(state.t, state.y, rate);
 }
 
 /// One competitor's own copy of the race, with what it recorded and what it handed out last.
-template <class P, class State = schemes::Motion>
+template <class P, class State = schemes::State>
 struct Lane {
   Race<P, State> race;
   Recording recording = {};
@@ -86,11 +86,11 @@ struct Lane {
     return counts;
   }
 
-  std::vector<double> scaled(const schemes::Motion& state, const schemes::Motion&) const {
-    return flat(schemes::Motion{.t = state.t, .r = state.r / race.length, .v = state.v / race.speed});
+  std::vector<double> scaled(const schemes::State& state, const schemes::State&) const {
+    return flat(schemes::State{.t = state.t, .r = state.r / race.length, .v = state.v / race.speed});
   }
-  std::vector<double> scaled(const schemes::Values& state, const schemes::Values& exact) const {
-    return flat(schemes::Values{.t = state.t, .y = state.y.cwiseQuotient(exact.y)});
+  std::vector<double> scaled(const schemes::State& state, const schemes::State& exact) const {
+    return flat(schemes::State{.t = state.t, .y = state.y.cwiseQuotient(exact.y)});
   }
 
   Errors errors() const {
@@ -142,8 +142,8 @@ Competitor competitor(std::string name, const Race<P, State>& race, std::vector<
 /// @return begin(problem, start, step)
 template <class Scheme>
 auto at_fixed_step() {
-  return [](auto& problem, const schemes::Motion&, double step) {
-    return [&problem, scheme = Scheme{}, control = schemes::FixedStep{.step = step}](schemes::Motion& state,
+  return [](auto& problem, const schemes::State&, double step) {
+    return [&problem, scheme = Scheme{}, control = schemes::FixedStep{.step = step}](schemes::State& state,
                                                                                      double t_end) mutable {
       return schemes::integrate(problem, state, t_end, scheme, control);
     };

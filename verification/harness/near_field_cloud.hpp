@@ -7,7 +7,7 @@
 #include <boost/random/mersenne_twister.hpp>
 #include <boost/random/uniform_real_distribution.hpp>
 
-#include <particulate/contact/near_field.hpp>
+#include <particulate/laws/near_field.hpp>
 #include <particulate/kinematics/domain.hpp>
 #include <particulate/kinematics/particles.hpp>
 #include <particulate/scenes/scene.hpp>
@@ -17,7 +17,7 @@
 
 namespace verification {
 
-using NearFieldScene = particulate::scenes::Scene<particulate::kinematics::Open, particulate::contact::NearField>;
+using NearFieldScene = particulate::scenes::Scene<particulate::kinematics::Space, particulate::laws::NearField>;
 
 /// What a cloud is made of.
 struct Cloud {

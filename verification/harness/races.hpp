@@ -9,7 +9,7 @@
 
 #include <harness/competitors.hpp>
 #include <harness/near_field_cloud.hpp>
-#include <particulate/contact/near_field.hpp>
+#include <particulate/laws/near_field.hpp>
 #include <particulate/kinematics/breathing.hpp>
 #include <particulate/reference/integrator.hpp>
 #include <particulate/scenes/scene.hpp>
@@ -41,13 +41,13 @@ inline Race<NearFieldScene> breathing_race(const particulate::kinematics::Vector
                                     .velocity = kinematics::Vectors::Zero(N, 3),
                                     .mass = Eigen::VectorXd::Ones(N),
                                     .radius = Eigen::VectorXd::Zero(N)};
-  const NearFieldScene scene{start, kinematics::Open{},
-                             contact::NearField{.alpha1 = 1.0, .alpha2 = alpha2, .beta1 = 2.0, .beta2 = 3.0}};
+  const NearFieldScene scene{start, kinematics::Space{},
+                             laws::NearField{.alpha1 = 1.0, .alpha2 = alpha2, .beta1 = 2.0, .beta2 = 3.0}};
   Race<NearFieldScene> race{.problem = scene, .start = scenes::start(scene), .outputs = {}, .truth = {}};
   for (int tenth = 1; tenth <= 9; ++tenth) race.outputs.push_back(tenth * exact.period() / 10.0);
   race.truth = [corners, exact](double t) {
     const kinematics::Radial now = exact.at(t);
-    return schemes::Motion{.t = t, .r = (now.r * corners).reshaped(), .v = (now.v * corners).reshaped()};
+    return schemes::State{.t = t, .r = (now.r * corners).reshaped(), .v = (now.v * corners).reshaped()};
   };
   // |dr/dt| is largest where A/r^2 = B/r^3: v^2 = A^2/B - 2 A/r_0 + B/r_0^2.
   const double fastest = std::sqrt(radial.A * radial.A / radial.B - 2.0 * radial.A / r_0 + radial.B / (r_0 * r_0));
@@ -88,8 +88,8 @@ inline JudgedRace judged_race(const NearFieldScene& scene, double t_end, int leg
   Race<NearFieldScene>& race = judged.race;
   for (int leg = 1; leg <= legs; ++leg) race.outputs.push_back(t_end * leg / legs);
   const auto handed_by = [&](const reference::Method& method) {
-    std::vector<schemes::Motion> states;
-    schemes::Motion state = race.start;
+    std::vector<schemes::State> states;
+    schemes::State state = race.start;
     reference::Integrator integrator(scene, race.start, method);
     for (const double t : race.outputs) {
       const schemes::Outcome out = integrator.advance(state, t);
@@ -98,13 +98,13 @@ inline JudgedRace judged_race(const NearFieldScene& scene, double t_end, int leg
     }
     return states;
   };
-  const std::vector<schemes::Motion> truth = handed_by(
+  const std::vector<schemes::State> truth = handed_by(
       reference::ExplicitRungeKutta{.table = reference::Table::fehlberg_13_7_8, .relative = 1e-15, .absolute = 1e-15});
   race.length = race.start.r.lpNorm<Eigen::Infinity>();
   race.speed = 0.0;
-  for (const schemes::Motion& at : truth) race.speed = std::max(race.speed, at.v.lpNorm<Eigen::Infinity>());
+  for (const schemes::State& at : truth) race.speed = std::max(race.speed, at.v.lpNorm<Eigen::Infinity>());
   race.truth = [truth](double t) {
-    return *std::find_if(truth.begin(), truth.end(), [t](const schemes::Motion& at) { return at.t >= t; });
+    return *std::find_if(truth.begin(), truth.end(), [t](const schemes::State& at) { return at.t >= t; });
   };
   detail::Lane<NearFieldScene> other(race);
   other.handed = handed_by(reference::Adams{.relative = 1e-15, .absolute = 1e-15});
@@ -193,9 +193,9 @@ struct SweepTolerance {
 /// @return begin(problem, start, limit)
 template <class Scheme>
 auto under_phi_control(Scheme scheme, SweepTolerance TOL) {
-  return [=](auto& problem, const schemes::Motion&, double limit) {
+  return [=](auto& problem, const schemes::State&, double limit) {
     return [&problem, scheme, control = schemes::PhiControl{.TOL = TOL(limit), .step = limit, .limit = limit}](
-               schemes::Motion& state, double t_end) mutable {
+               schemes::State& state, double t_end) mutable {
       return schemes::integrate(problem, state, t_end, scheme, control);
     };
   };
@@ -208,8 +208,8 @@ auto under_phi_control(Scheme scheme, SweepTolerance TOL) {
 /// @return begin(problem, start, step)
 template <class Scheme>
 auto sweeping_at_fixed_step(Scheme scheme, SweepTolerance TOL) {
-  return [=](auto& problem, const schemes::Motion&, double step) {
-    return [&problem, scheme, control = schemes::FixedStep{.step = step, .TOL = TOL(step)}](schemes::Motion& state,
+  return [=](auto& problem, const schemes::State&, double step) {
+    return [&problem, scheme, control = schemes::FixedStep{.step = step, .TOL = TOL(step)}](schemes::State& state,
                                                                                             double t_end) mutable {
       return schemes::integrate(problem, state, t_end, scheme, control);
     };

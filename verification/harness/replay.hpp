@@ -38,8 +38,8 @@ struct Recorded {
   bool acceleration(double t, schemes::In r, schemes::Out a) requires schemes::PositionProblem<P> {
     return keep(problem.acceleration(t, r, a), a);
   }
-  /// Answers and records. @see particulate::schemes::MotionProblem
-  bool acceleration(double t, schemes::In r, schemes::In v, schemes::Out a) requires schemes::MotionProblem<P> {
+  /// Answers and records. @see particulate::schemes::StateProblem
+  bool acceleration(double t, schemes::In r, schemes::In v, schemes::Out a) requires schemes::StateProblem<P> {
     return keep(problem.acceleration(t, r, v, a), a);
   }
   /// Answers and records. @see particulate::schemes::FirstOrderProblem
@@ -64,7 +64,7 @@ struct Recorded {
   /// Forwards. @see particulate::schemes::Measures
   double distance(schemes::In x, schemes::In y) const requires schemes::Measures<P> { return problem.distance(x, y); }
   /// Forwards, and counts what the jump asked for. @see particulate::schemes::Jumps
-  schemes::Jump jump(schemes::Motion& at, double dt) requires schemes::Jumps<P> {
+  schemes::Jump jump(schemes::State& at, double dt) requires schemes::Jumps<P> {
     const schemes::Jump jump = problem.jump(at, dt);
     by_jumps += jump.evaluations;
     return jump;
@@ -101,8 +101,8 @@ class Replayed {
 
   /// Copies the next answer. @see particulate::schemes::PositionProblem
   bool acceleration(double, schemes::In, schemes::Out a) requires schemes::PositionProblem<P> { return hand_out(a); }
-  /// Copies the next answer. @see particulate::schemes::MotionProblem
-  bool acceleration(double, schemes::In, schemes::In, schemes::Out a) requires schemes::MotionProblem<P> {
+  /// Copies the next answer. @see particulate::schemes::StateProblem
+  bool acceleration(double, schemes::In, schemes::In, schemes::Out a) requires schemes::StateProblem<P> {
     return hand_out(a);
   }
   /// Copies the next answer. @see particulate::schemes::FirstOrderProblem
@@ -121,7 +121,7 @@ class Replayed {
   /// Forwards. @see particulate::schemes::Measures
   double distance(schemes::In x, schemes::In y) const requires schemes::Measures<P> { return problem_.distance(x, y); }
   /// Forwards. @see particulate::schemes::Jumps
-  schemes::Jump jump(schemes::Motion& at, double dt) requires schemes::Jumps<P> { return problem_.jump(at, dt); }
+  schemes::Jump jump(schemes::State& at, double dt) requires schemes::Jumps<P> { return problem_.jump(at, dt); }
   /// Forwards. @see particulate::schemes::LocatesJumps
   template <class Path>
   std::optional<double> first_jump(const Path& path, double end) requires schemes::LocatesJumps<P, Path> {

@@ -10,7 +10,7 @@
 
 #include <harness/registry.hpp>
 #include <harness/results.hpp>
-#include <particulate/contact/near_field.hpp>
+#include <particulate/laws/near_field.hpp>
 #include <particulate/report/command_line.hpp>
 #include <particulate/report/files.hpp>
 #include <particulate/report/progress.hpp>
@@ -125,7 +125,7 @@ int run_cases(const report::CommandLine& command, std::string_view chapter, std:
     return 0;
   }
   const report::Output output(common.out);
-  const std::string kernel(particulate::contact::name(particulate::contact::best_kernel()));
+  const std::string kernel(particulate::laws::name(particulate::laws::best_kernel()));
   const report::Stamp stamp = report::make_stamp(command.line(), common.seed, kernel);
   fmt::print("{}\n\n", report::one_line(stamp));
   const std::vector<CaseResult> results =

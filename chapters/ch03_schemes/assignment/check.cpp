@@ -325,11 +325,11 @@ schemes::Iteration sweep(Problem problem, const State& from, double dt, int cont
 // A field is known by its exponent: the spring has p = 2, the decay p = 1; one constant serves both.
 schemes::Iteration sweep(int p, double constant, double dt, int contractions) {
   if (p == 1) {
-    schemes::Values start;
+    schemes::State start;
     start.y = Eigen::VectorXd::Ones(1);
     return sweep(Decay{constant}, start, dt, contractions);
   }
-  schemes::Motion start;
+  schemes::State start;
   start.r = Eigen::VectorXd::Ones(1);
   start.v = Eigen::VectorXd::Zero(1);
   return sweep(Spring{constant}, start, dt, contractions);

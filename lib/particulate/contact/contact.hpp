@@ -3,15 +3,12 @@
 #include <algorithm>
 #include <concepts>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include <fmt/format.h>
-
-#include <particulate/contact/law.hpp>
 #include <particulate/contact/resolution.hpp>
+#include <particulate/laws/law.hpp>
 #include <particulate/schemes/problem.hpp>
 
 namespace particulate::contact {
@@ -34,6 +31,7 @@ struct Contact {
   FrictionLaw friction = {};                       ///< Frictionless or Friction
   double gamma = 0.01;                             ///< duration of an impact over the step, 0 < gamma << 1 [-]
   Resolution resolution = Resolution::sequential;  ///< of simultaneous contacts
+  ImpactRecorder recorder = {};                    ///< is told of every impact; empty: nobody is
 };
 
 /// @cond
@@ -44,12 +42,13 @@ inline void validate(const Frictionless&) {}
 ///
 /// @param resolution  of simultaneous contacts
 /// @throws std::invalid_argument saying what must hold and what was given
-inline void validate(Resolution resolution) {
-  if (resolution != Resolution::summed && resolution != Resolution::sequential) {
-    throw std::invalid_argument(
-        fmt::format("contact: resolution must be summed or sequential, got number {}", static_cast<int>(resolution)));
-  }
-}
+void validate(Resolution resolution);
+
+/// Refuses a duration that is none.
+///
+/// @param gamma  duration of an impact over the step [-]
+/// @throws std::invalid_argument saying what must hold and what was given
+void validate_gamma(double gamma);
 
 /// Refuses a contact law that is none. Called once, where a law enters a scene.
 ///
@@ -59,9 +58,7 @@ template <class R, class F>
 void validate(const Contact<R, F>& law) {
   validate(law.restitution);
   validate(law.friction);
-  if (!(law.gamma > 0.0 && law.gamma < 1.0)) {
-    throw std::invalid_argument(fmt::format("contact: gamma must lie between 0 and 1, got {}", law.gamma));
-  }
+  validate_gamma(law.gamma);
   validate(law.resolution);
 }
 
@@ -71,7 +68,7 @@ void validate(const Contact<R, F>& law) {
 /// @equation{D 2.2}
 /// @return zero [J]
 template <class R, class F, kinematics::Domain D>
-double potential_energy(const Contact<R, F>&, const D&, const Places&) {
+double potential_energy(const Contact<R, F>&, const D&, const laws::At<>&) {
   return 0.0;
 }
 
@@ -82,25 +79,42 @@ struct Touching {
   bool directed = true;         ///< false: two centres coincide, so the direction of their contact is not finite
 };
 
-/// Exact touching: what does not overlap is apart.
-struct Exactly {
-  /// @return zero: no gap counts as closed [m]
-  double operator()(const Moving&, Eigen::Index, Eigen::Index) const { return 0.0; }
+/// How wide a gap between two bodies counts as closed.
+///
+/// \f[ \tau\,(b_i + b_j) + n\,\varepsilon\,(\|r_i\| + \|r_j\|) \f]
+///
+/// with a wall without its \f$ b_j \f$ and \f$ r_j \f$. By default none: what does not overlap is apart.
+struct ClosedGap {
+  double relative = 0.0;   ///< tau [-]
+  double roundings = 0.0;  ///< n, roundings of the places [-]
+
+  /// @param position  r_i, N x 3 [m]
+  /// @param radius    b_i, N [m]
+  /// @param i         one particle
+  /// @param j         another; negative: a wall
+  /// @return the widest gap that counts as closed [m]
+  double between(const kinematics::VectorsIn& position, const Eigen::VectorXd& radius, Eigen::Index i,
+                 Eigen::Index j) const;
 };
 
-/// Finds the spheres that touch each other or a wall. Two bodies of which neither can move do not count.
+/// Finds the spheres that touch each other or a wall, among all pairs. Two bodies of which neither can move do not
+/// count. Compiled once for Space; a domain of one's own gets code of its own.
 ///
 /// @param domain     forms the separations, and has the walls if there are any
 /// @param at         the particles
-/// @param tolerance  `tolerance(at, i, j)`: how wide a gap counts as closed; j is negative for a wall [m]
+/// @param tolerance  how wide a gap counts as closed
 /// @return contacts without their accelerations
-template <kinematics::Domain D, class Tolerance = Exactly>
-Touching find_touching(const D& domain, const Moving& at, const Tolerance& tolerance = {}) {
+template <kinematics::Domain D>
+Touching find_touching(const D& domain, const laws::At<laws::Velocity>& at, const ClosedGap& tolerance = {}) {
   Touching found;
   const auto add = [&](Eigen::Index i, Eigen::Index j, double depth, const Eigen::Vector3d& n) {
     found.directed = found.directed && n.allFinite();
     found.overlap = std::max(found.overlap, depth);
     found.contacts.push_back({.i = i, .j = j, .n = n});
+  };
+  const bool exact = tolerance.relative == 0.0 && tolerance.roundings == 0.0;
+  const auto closed = [&](double gap, Eigen::Index i, Eigen::Index j) {
+    return gap <= 0.0 || (!exact && gap <= tolerance.between(at.position, at.radius, i, j));
   };
   for (Eigen::Index i = 0; i < at.mass.size(); ++i) {
     const bool moves = at.inverse_mass[i] > 0.0;
@@ -109,51 +123,45 @@ Touching find_touching(const D& domain, const Moving& at, const Tolerance& toler
       if (!moves && !(at.inverse_mass[j] > 0.0)) continue;
       const Eigen::Vector3d towards = separation(domain, here, at.position.row(j));
       const double d = towards.norm(), reach = at.radius[i] + at.radius[j];
-      if (d - reach <= tolerance(at, i, j)) add(i, j, reach - d, towards / d);
+      if (closed(d - reach, i, j)) add(i, j, reach - d, towards / d);
     }
     if constexpr (kinematics::HasWalls<D>) {
       if (!moves) continue;
       for (const kinematics::Wall& wall : walls(domain)) {
         const double gap = kinematics::height_above(wall, here) - at.radius[i];
-        if (gap <= tolerance(at, i, -1)) add(i, -1, -gap, -wall.normal);
+        if (closed(gap, i, -1)) add(i, -1, -gap, -wall.normal);
       }
     }
   }
   return found;
 }
+extern template Touching find_touching<kinematics::Space>(const kinematics::Space&, const laws::At<laws::Velocity>&,
+                                                          const ClosedGap&);
 
 /// @param touch     a contact
 /// @param velocity  of all particles, N x 3 [m/s]
 /// @return the speed at which its two bodies approach; negative: they part [m/s]
-inline double approach_speed(const Touch& touch, const kinematics::VectorsIn& velocity) {
-  Eigen::Vector3d approach = velocity.row(touch.i);
-  if (touch.j >= 0) approach -= velocity.row(touch.j).transpose();
-  return approach.dot(touch.n);
-}
+double approach_speed(const Touch& touch, const kinematics::VectorsIn& velocity);
 
 /// Whether any contact of a moment must be looked at.
 ///
 /// @param touching  contacts
 /// @param at        the particles
 /// @return true if a pair approaches, or has no direction
-inline bool any_approach(const Touching& touching, const Moving& at) {
-  return !touching.directed || std::any_of(touching.contacts.begin(), touching.contacts.end(), [&](const Touch& touch) {
-    return approach_speed(touch, at.velocity) > 0.0;
-  });
-}
+bool any_approach(const Touching& touching, const laws::At<laws::Velocity>& at);
 
 /// Why two bodies that touch cannot be parted.
 ///
 /// @param touching  contacts of which one has no direction
 /// @return the reason, with their numbers and what to do
-inline std::string without_direction(const Touching& touching) {
-  const auto lost = std::find_if(touching.contacts.begin(), touching.contacts.end(),
-                                 [](const Touch& touch) { return !touch.n.allFinite(); });
-  return fmt::format(
-      "particles {} and {} touch with the same centre, so there is no direction to part them in: start them apart, or "
-      "take a smaller step",
-      lost->i, lost->j);
-}
+std::string without_direction(const Touching& touching);
+
+/// Gives every contact the relative acceleration of its bodies by the other forces.
+///
+/// @param touching      contacts; receives the accelerations
+/// @param inverse_mass  1/m_i, N [1/kg]
+/// @param force         all other forces on the particles, 3 N numbers, column by column [N]
+void set_accelerations(Touching& touching, const Eigen::VectorXd& inverse_mass, schemes::In force);
 
 /// Resolves the contacts of a moment, each of which has a direction.
 ///
@@ -165,16 +173,12 @@ inline std::string without_direction(const Touching& touching) {
 /// @param velocity  a copy of the velocities, changed in place, 3 N numbers [m/s]
 /// @return impacts, change of kinetic energy, overlap, and what could not be settled
 template <class L>
-schemes::Jump exchange_impulses(const L& law, double duration, const Moving& at, Touching& touching, schemes::In force,
-                                schemes::Out velocity) {
-  const Eigen::Index N = at.mass.size();
-  const Eigen::Map<const kinematics::Vectors> f(force.data(), N, 3);
-  Forces v(velocity.data(), N, 3);
-  for (Touch& touch : touching.contacts) {
-    touch.acceleration = at.inverse_mass[touch.i] * f.row(touch.i).transpose();
-    if (touch.j >= 0) touch.acceleration -= at.inverse_mass[touch.j] * f.row(touch.j).transpose();
-  }
-  const ContactResolver resolver{law.restitution, law.friction, law.resolution};
+schemes::Jump exchange_impulses(const L& law, double duration, const laws::At<laws::Velocity>& at, Touching& touching,
+                                schemes::In force, schemes::Out velocity) {
+  set_accelerations(touching, at.inverse_mass, force);
+  laws::Forces v(velocity.data(), at.mass.size(), 3);
+  const ContactResolver<decltype(law.restitution), decltype(law.friction)> resolver{law.restitution, law.friction,
+                                                                                    law.resolution, law.recorder};
   const Resolved done = resolver(touching.contacts, at.inverse_mass, duration, v);
   const double change = 0.5 * at.mass.dot(v.rowwise().squaredNorm() - at.velocity.rowwise().squaredNorm());
   return {.impacts = done.impacts, .energy_change = change, .overlap = touching.overlap, .unsettled = done.unsettled};
@@ -191,24 +195,23 @@ schemes::Jump exchange_impulses(const L& law, double duration, const Moving& at,
 /// @param velocity  a copy of the velocities, changed in place, 3 N numbers [m/s]
 /// @return impacts, change of kinetic energy, overlap, and what could not be settled
 template <class R, class F>
-schemes::Jump resolve_impacts(const Contact<R, F>& law, const Moving& at, Touching touching, schemes::In force,
-                              double dt, schemes::Out velocity) {
+schemes::Jump resolve_impacts(const Contact<R, F>& law, const laws::At<laws::Velocity>& at, Touching touching,
+                              schemes::In force, double dt, schemes::Out velocity) {
   if (!touching.directed) return {.overlap = touching.overlap, .unsettled = without_direction(touching)};
   return exchange_impulses(law, law.gamma * dt, at, touching, force, velocity);
 }
 
 /// A law that resolves impacts: `resolve_impacts(law, moving, touching, force, dt, velocity)`.
 template <class L>
-concept Impacts = requires(const L& law, const Moving& at, Touching touching, schemes::In force, double dt,
-                           schemes::Out velocity) {
+concept Impacts = requires(const L& law, const laws::At<laws::Velocity>& at, Touching touching, schemes::In force,
+                           double dt, schemes::Out velocity) {
   { resolve_impacts(law, at, touching, force, dt, velocity) } -> std::same_as<schemes::Jump>;
 };
 
 /// A law that locates its impacts: `first_impact(law, domain, radius, inverse_mass, path, end)`.
 template <class L, class D>
 concept LocatesImpacts = Impacts<L> &&
-    requires(const L& law, const D& domain, const Eigen::VectorXd& x, const schemes::StepPath& path,
-             double end) {
+    requires(const L& law, const D& domain, const Eigen::VectorXd& x, const schemes::StepPath& path, double end) {
   { first_impact(law, domain, x, x, path, end) } -> std::same_as<std::optional<double>>;
 };
 
@@ -216,7 +219,7 @@ concept LocatesImpacts = Impacts<L> &&
 ///
 /// @return a tolerance for find_touching()
 template <class L>
-Exactly touching_tolerance(const L&) {
+ClosedGap touching_tolerance(const L&) {
   return {};
 }
 

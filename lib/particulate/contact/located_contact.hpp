@@ -1,50 +1,13 @@
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <optional>
-#include <string>
+#include <span>
 #include <utility>
-#include <vector>
-
-#include <fmt/format.h>
 
 #include <particulate/contact/contact.hpp>
-#include <particulate/schemes/crossing.hpp>
-#include <particulate/schemes/events.hpp>
+#include <particulate/schemes/problem.hpp>
 
 namespace particulate::contact {
-
-/// What counts as touching to a located contact: a gap that rounding cannot tell from none.
-///
-/// \f[ \tau\,(b_i + b_j) + 16\,\varepsilon\,(\|r_i\| + \|r_j\|) \f]
-///
-/// with a wall without its \f$ b_j \f$ and \f$ r_j \f$.
-struct RoundingGap {
-  double relative;  ///< tau [-]
-
-  /// @param position  r_i, N x 3 [m]
-  /// @param radius    b_i, N [m]
-  /// @param i         one particle
-  /// @param j         another; negative: a wall
-  /// @return the widest gap that counts as closed [m]
-  double between(const kinematics::VectorsIn& position, const Eigen::VectorXd& radius, Eigen::Index i,
-                 Eigen::Index j) const {
-    double reach = radius[i], size = position.row(i).norm();
-    if (j >= 0) reach += radius[j], size += position.row(j).norm();
-    return relative * reach + 16.0 * std::numeric_limits<double>::epsilon() * size;
-  }
-  /// The same, as find_touching() asks.
-  ///
-  /// @param at  the particles
-  /// @param i   one particle
-  /// @param j   another; negative: a wall
-  /// @return the widest gap that counts as closed [m]
-  double operator()(const Places& at, Eigen::Index i, Eigen::Index j) const {
-    return between(at.position, at.radius, i, j);
-  }
-};
 
 /// Contact of spheres with each other and with walls at the very moment at which they touch.
 ///
@@ -71,8 +34,15 @@ struct LocatedContact {
   RestitutionLaw restitution = {};                 ///< ConstantRestitution or Restitution
   FrictionLaw friction = {};                       ///< Frictionless or Friction
   Resolution resolution = Resolution::sequential;  ///< of simultaneous contacts
-  double touching = 1e-12;  ///< tau: a gap this small over the sum of the radii counts as closed, in (0, 1e-3] [-]
+  double touching = 1e-12;       ///< tau: a gap this small over the sum of the radii counts as closed, in (0, 1e-3] [-]
+  ImpactRecorder recorder = {};  ///< is told of every impact; empty: nobody is
 };
+
+/// Refuses a width that is none.
+///
+/// @param touching  tau [-]
+/// @throws std::invalid_argument saying what must hold and what was given
+void validate_touching(double touching);
 
 /// Refuses a contact law that is none. Called once, where a law enters a scene.
 ///
@@ -83,191 +53,52 @@ void validate(const LocatedContact<R, F>& law) {
   validate(law.restitution);
   validate(law.friction);
   validate(law.resolution);
-  if (!(law.touching > 0.0 && law.touching <= 1e-3)) {
-    throw std::invalid_argument(fmt::format("contact: touching must lie in (0, 1e-3], got {}", law.touching));
-  }
+  validate_touching(law.touching);
 }
 
 /// @param law  constants that validate() accepts
-/// @return what counts as touching
+/// @return what counts as touching: a gap that rounding cannot tell from none
 template <class R, class F>
-RoundingGap touching_tolerance(const LocatedContact<R, F>& law) {
-  return {law.touching};
+ClosedGap touching_tolerance(const LocatedContact<R, F>& law) {
+  return {.relative = law.touching, .roundings = 16.0};
 }
 
-/// Potential energy of a contact: none. @see potential_energy(const Contact<R, F>&, const D&, const Places&)
+/// Potential energy of a contact: none. @see potential_energy(const Contact<R, F>&, const D&, const laws::At<>&)
 ///
 /// @equation{D 2.2}
 /// @return zero [J]
 template <class R, class F, kinematics::Domain D>
-double potential_energy(const LocatedContact<R, F>&, const D&, const Places&) {
+double potential_energy(const LocatedContact<R, F>&, const D&, const laws::At<>&) {
   return 0.0;
 }
 
 namespace detail {
 
-// Two bodies that have met and will meet again and again.
-struct Rest {
-  Touch touch;
-  double parting;  // speed after the impact [m/s]
-  double rises;    // the widest gap before they meet again [m]
-  double over;     // time at which all their impacts are over [s]
+// A domain with its type erased, as the search for gaps that close asks it.
+struct AnyDomain {
+  const void* self;
+  Eigen::Vector3d (*between)(const void*, const Eigen::Vector3d& from, const Eigen::Vector3d& to);
+  std::span<const kinematics::Wall> planes;
 };
 
-// The first contact whose bodies are pressed together again before they have parted by more than can be told from none.
-inline std::optional<Rest> first_at_rest(const Touching& touching, const RoundingGap& gap, const Moving& at,
-                                         const kinematics::VectorsIn& after, schemes::In force) {
-  constexpr double indistinct = 100.0, rounding = 1e-13;
-  const Eigen::Map<const kinematics::Vectors> f(force.data(), at.mass.size(), 3);
-  for (const Touch& touch : touching.contacts) {
-    const double met = approach_speed(touch, at.velocity);
-    const double pressed = touch.acceleration.dot(touch.n);
-    double felt = at.inverse_mass[touch.i] * f.row(touch.i).norm();
-    if (touch.j >= 0) felt += at.inverse_mass[touch.j] * f.row(touch.j).norm();
-    if (!(met > 0.0 && pressed > rounding * felt)) continue;
-    const double parting = std::max(0.0, -approach_speed(touch, after));
-    const double rises = parting * parting / (2.0 * pressed);
-    if (rises > indistinct * gap(at, touch.i, touch.j)) continue;
-    const double kept = parting / met;
-    const double flights = kept < 1.0 ? 2.0 * parting / (pressed * (1.0 - kept)) : 0.0;
-    return Rest{.touch = touch, .parting = parting, .rises = rises, .over = at.t + flights};
-  }
-  return {};
-}
-
-inline std::string comes_to_rest(const Rest& rest, double t) {
-  const std::string who = rest.touch.j < 0 ? fmt::format("particle {} and a wall", rest.touch.i)
-                                           : fmt::format("particles {} and {}", rest.touch.i, rest.touch.j);
-  return fmt::format(
-      "{} come to rest on each other: after their impact at t = {} s they part at {:.3g} m/s, the other forces press "
-      "them together again before they are {:.3g} m apart, and their impacts are over at t = {} s; located contacts "
-      "cannot hold what rests: end the run before, or take stepped contacts (Contact)",
-      who, t, rest.parting, rest.rises, rest.over);
-}
-
-// A gap that may close: between two spheres, or between one and a wall.
-struct Gap {
-  Eigen::Index i;
-  Eigen::Index j;  // negative: the wall
-  const kinematics::Wall* wall;
-};
-
-// All gaps along one step.
 template <kinematics::Domain D>
-class Gaps {
- public:
-  Gaps(const D& domain, const Eigen::VectorXd& radius, const Eigen::VectorXd& inverse_mass, const schemes::StepPath& path, double end)
-      : domain_(domain),
-        radius_(radius),
-        inverse_mass_(inverse_mass),
-        path_(path),
-        places_(schemes::chebyshev_points(path.intervals, end)),
-        states_(places_.size()) {
-    Eigen::VectorXd fastest = Eigen::VectorXd::Zero(radius.size());
-    for (std::size_t k = 0; k < places_.size(); ++k) {
-      path_(places_[k], states_[k]);
-      fastest = fastest.cwiseMax(rows(states_[k].v).rowwise().norm());
-    }
-    // The samples are dense enough that no speed between them is sqrt(2) times as large.
-    travel_ = std::sqrt(2.0) * end * path.dt * fastest;
-  }
+AnyDomain erased(const D& domain) {
+  AnyDomain any{&domain,
+                [](const void* self, const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+                  return separation(*static_cast<const D*>(self), from, to);
+                },
+                {}};
+  if constexpr (kinematics::HasWalls<D>) any.planes = walls(domain);
+  return any;
+}
 
-  // The first place at which one of them closes.
-  std::optional<double> first_closing(const RoundingGap& tolerance) {
-    std::optional<double> first;
-    const Rows start = rows(states_[0].r);
-    const auto look_at = [&](const Gap& gap) {
-      const double slack = tolerance.between(start, radius_, gap.i, gap.j);
-      if (!(width(gap, states_[0]) <= travel_[gap.i] + (gap.j >= 0 ? travel_[gap.j] : 0.0) + slack)) return;
-      const std::optional<double> closes = closing(gap, slack);
-      if (closes && !(first && *first <= *closes)) first = closes;
-    };
-    for (Eigen::Index i = 0; i < radius_.size(); ++i) {
-      for (Eigen::Index j = i + 1; j < radius_.size(); ++j) {
-        if (inverse_mass_[i] > 0.0 || inverse_mass_[j] > 0.0) look_at({.i = i, .j = j, .wall = nullptr});
-      }
-      if constexpr (kinematics::HasWalls<D>) {
-        if (!(inverse_mass_[i] > 0.0)) continue;
-        for (const kinematics::Wall& wall : walls(domain_)) look_at({.i = i, .j = -1, .wall = &wall});
-      }
-    }
-    return first;
-  }
+// The first place at which a gap closes.
+std::optional<double> first_closing(const AnyDomain& domain, const ClosedGap& tolerance, const Eigen::VectorXd& radius,
+                                    const Eigen::VectorXd& inverse_mass, const schemes::StepPath& path, double end);
 
- private:
-  using Rows = Eigen::Map<const kinematics::Vectors>;
-  static Rows rows(const Eigen::VectorXd& flat) { return {flat.data(), flat.size() / 3, 3}; }
-
-  double width(const Gap& gap, const schemes::State& there) const {
-    const Rows r = rows(there.r);
-    if (gap.wall) return kinematics::height_above(*gap.wall, r.row(gap.i).transpose()) - radius_[gap.i];
-    return separation(domain_, r.row(gap.i).transpose(), r.row(gap.j).transpose()).norm() -
-           (radius_[gap.i] + radius_[gap.j]);
-  }
-
-  // Its derivative by theta.
-  double opening(const Gap& gap, const schemes::State& there) const {
-    const Rows r = rows(there.r), v = rows(there.v);
-    const Eigen::Vector3d v_i = v.row(gap.i);
-    if (gap.wall) return path_.dt * v_i.dot(gap.wall->normal);
-    const Eigen::Vector3d towards = separation(domain_, r.row(gap.i).transpose(), r.row(gap.j).transpose());
-    const Eigen::Vector3d v_j = v.row(gap.j);
-    return path_.dt * (v_j - v_i).dot(towards.normalized());
-  }
-
-  std::optional<double> closing(const Gap& gap, double slack) {
-    std::vector<schemes::Sample> samples;
-    for (std::size_t k = 0; k < places_.size(); ++k) {
-      samples.push_back({.theta = places_[k], .value = width(gap, states_[k]), .slope = opening(gap, states_[k])});
-    }
-    if (!may_close(samples, slack)) return {};
-    const schemes::Along along{.value =
-                                   [&](double theta) {
-                                     path_(theta, there_);
-                                     return width(gap, there_);
-                                   },
-                               .slope =
-                                   [&](double theta) {
-                                     path_(theta, there_);
-                                     return opening(gap, there_);
-                                   }};
-    // What dense output only brings near a touch is solved anew to see.
-    const double reach = radius_[gap.i] + (gap.wall ? 0.0 : radius_[gap.j]);
-    const double at_start = samples.front().value;
-    // Touching bodies meet again where they come closer by the tolerance, and once they have parted, where they touch.
-    const schemes::ZeroRules rules{.direction = schemes::Direction::falling,
-                                   .leave = slack,
-                                   .graze = slack,
-                                   .doubt = 1e-4 * reach,
-                                   .floor = std::min(at_start, 0.0) - slack};
-    int side = at_start > slack ? 1 : 0;
-    const std::optional<schemes::Crossing> found = schemes::first_crossing(samples, along, rules, side);
-    return found ? std::optional(found->theta) : std::nullopt;
-  }
-
-  // The gap between two paths is convex but for what forces bend them: two of its tangents meet below it. Where they
-  // meet above a quarter of its smaller end it stays open.
-  static bool may_close(const std::vector<schemes::Sample>& samples, double slack) {
-    for (std::size_t k = 1; k < samples.size(); ++k) {
-      const schemes::Sample &a = samples[k - 1], &b = samples[k];
-      const double smaller = std::min(a.value, b.value);
-      if (smaller <= slack) return true;
-      if (!(a.slope < 0.0 && b.slope > 0.0)) continue;
-      const double meet = (b.value - a.value - b.slope * (b.theta - a.theta)) / (a.slope - b.slope);
-      if (a.value + a.slope * meet < 0.25 * smaller) return true;
-    }
-    return false;
-  }
-
-  const D& domain_;
-  const Eigen::VectorXd& radius_;
-  const Eigen::VectorXd& inverse_mass_;
-  const schemes::StepPath& path_;
-  std::vector<double> places_;
-  std::vector<schemes::State> states_;
-  Eigen::VectorXd travel_;  // the farthest that each body can get within the step [m]
-  schemes::State there_;
-};
+// Books in a jump that two bodies have come to rest on each other, if any have.
+void tell_rest(const Touching& touching, const ClosedGap& gap, const laws::At<laws::Velocity>& at, schemes::In after,
+               schemes::In force, schemes::Jump& jump);
 
 }  // namespace detail
 
@@ -285,7 +116,7 @@ class Gaps {
 template <class R, class F, kinematics::Domain D>
 std::optional<double> first_impact(const LocatedContact<R, F>& law, const D& domain, const Eigen::VectorXd& radius,
                                    const Eigen::VectorXd& inverse_mass, const schemes::StepPath& path, double end) {
-  return detail::Gaps<D>(domain, radius, inverse_mass, path, end).first_closing(touching_tolerance(law));
+  return detail::first_closing(detail::erased(domain), touching_tolerance(law), radius, inverse_mass, path, end);
 }
 
 /// Resolves the contacts of a moment: the jump of a scene with this law.
@@ -298,17 +129,12 @@ std::optional<double> first_impact(const LocatedContact<R, F>& law, const D& dom
 /// @param velocity  a copy of the velocities, changed in place, 3 N numbers [m/s]
 /// @return impacts, change of kinetic energy, overlap; what could not be settled, or come to rest and when
 template <class R, class F>
-schemes::Jump resolve_impacts(const LocatedContact<R, F>& law, const Moving& at, Touching touching, schemes::In force,
-                              double, schemes::Out velocity) {
+schemes::Jump resolve_impacts(const LocatedContact<R, F>& law, const laws::At<laws::Velocity>& at, Touching touching,
+                              schemes::In force, double, schemes::Out velocity) {
   if (!touching.directed) return {.overlap = touching.overlap, .unsettled = without_direction(touching)};
   schemes::Jump jump = exchange_impulses(law, 0.0, at, touching, force, velocity);
   if (!jump.unsettled.empty()) return jump;
-  const Eigen::Map<const kinematics::Vectors> after(velocity.data(), at.mass.size(), 3);
-  const std::optional<detail::Rest> rest = detail::first_at_rest(touching, touching_tolerance(law), at, after, force);
-  if (rest) {
-    jump.unsettled = detail::comes_to_rest(*rest, at.t);
-    jump.accumulates = rest->over;
-  }
+  detail::tell_rest(touching, touching_tolerance(law), at, velocity, force, jump);
   return jump;
 }
 

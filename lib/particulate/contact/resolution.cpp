@@ -28,10 +28,11 @@ struct Motions {
   Body body(Eigen::Index k) const {
     return k < 0 ? Body{} : Body{.velocity = kinematics::vector(velocity, k), .inverse_mass = inverse_mass[k]};
   }
-  double approach(const Touch& touch) const { return (body(touch.i).velocity - body(touch.j).velocity).dot(touch.n); }
+  double approach(const Touch& touch) const { return relative(touch).dot(touch.n); }
   bool can_move(const Touch& touch) const {
     return inverse_mass[touch.i] > 0.0 || (touch.j >= 0 && inverse_mass[touch.j] > 0.0);
   }
+  Eigen::Vector3d relative(const Touch& touch) const { return body(touch.i).velocity - body(touch.j).velocity; }
   void push(const Touch& touch, const Eigen::Vector3d& impulse) {
     velocity.row(touch.i) += inverse_mass[touch.i] * impulse.transpose();
     if (touch.j >= 0) velocity.row(touch.j) -= inverse_mass[touch.j] * impulse.transpose();
@@ -178,9 +179,11 @@ double safe_share(const Motions& motions, const std::vector<Touch>& part,
   return bend > 0.0 ? std::clamp(-slope / bend, 0.0, 1.0) : 1.0;
 }
 
+// Returns the impulses of friction, one a contact.
 template <class R>
-void rub(const ContactResolver<R, Friction>& law, Motions& motions, const std::vector<Touch>& part,
-         const Eigen::VectorXd& pushes, const std::vector<Meeting>& meetings, double duration) {
+std::vector<Eigen::Vector3d> rub(const ContactResolver<R, Friction>& law, Motions& motions,
+                                 const std::vector<Touch>& part, const Eigen::VectorXd& pushes,
+                                 const std::vector<Meeting>& meetings, double duration) {
   std::vector<Eigen::Vector3d> impulses;
   for (std::size_t k = 0; k < part.size(); ++k) {
     const Touch& touch = part[k];
@@ -192,30 +195,52 @@ void rub(const ContactResolver<R, Friction>& law, Motions& motions, const std::v
                                           pushes[static_cast<Eigen::Index>(k)]));
   }
   const double share = part.size() == 1 ? 1.0 : safe_share(motions, part, impulses);
-  for (std::size_t k = 0; k < part.size(); ++k) motions.push(part[k], share * impulses[k]);
+  for (std::size_t k = 0; k < part.size(); ++k) {
+    impulses[k] *= share;
+    motions.push(part[k], impulses[k]);
+  }
+  return impulses;
 }
 
 template <class R>
-void rub(const ContactResolver<R, Frictionless>&, Motions&, const std::vector<Touch>&, const Eigen::VectorXd&,
-         const std::vector<Meeting>&, double) {}
+std::vector<Eigen::Vector3d> rub(const ContactResolver<R, Frictionless>&, Motions&, const std::vector<Touch>&,
+                                 const Eigen::VectorXd&, const std::vector<Meeting>&, double) {
+  return {};
+}
+
+// The velocities of i as seen from j; empty where nobody wants to know.
+std::vector<Eigen::Vector3d> relative_velocities(const ImpactRecorder& recorder, const Motions& motions,
+                                                 const std::vector<Touch>& part) {
+  std::vector<Eigen::Vector3d> all;
+  if (!recorder) return all;
+  for (const Touch& touch : part) all.push_back(motions.relative(touch));
+  return all;
+}
 
 // All impulses from the velocities before, then added.
 template <class R, class F>
 Resolved resolve_summed(const ContactResolver<R, F>& law, Motions& motions, const std::vector<Touch>& touching,
                         double duration) {
   Resolved done;
-  std::vector<std::pair<const Touch*, Eigen::Vector3d>> impulses;
+  std::vector<std::pair<Touch, Impulse>> impulses;
   for (const Touch& touch : touching) {
     const Meeting meeting = meeting_of(law, motions, touch, duration);
     if (meeting.wanted == 0.0) continue;
     const double e = restitution_at(law.restitution, meeting.speed);
     const Impulse impulse = impact_impulse(motions.body(touch.i), motions.body(touch.j), touch.n, e,
                                            changes_of(touch, duration, e), law.friction);
-    impulses.emplace_back(&touch, impulse.total(touch.n));
+    impulses.emplace_back(touch, impulse);
     done.largest_impulse = std::max(done.largest_impulse, -impulse.normal);
     ++done.impacts;
   }
-  for (const auto& [touch, impulse] : impulses) motions.push(*touch, impulse);
+  std::vector<Touch> pushed;
+  for (const auto& [touch, impulse] : impulses) pushed.push_back(touch);
+  const std::vector<Eigen::Vector3d> before = relative_velocities(law.recorder, motions, pushed);
+  for (const auto& [touch, impulse] : impulses) motions.push(touch, impulse.total(touch.n));
+  for (std::size_t k = 0; k < before.size(); ++k) {
+    const auto& [touch, impulse] = impulses[k];
+    law.recorder({touch.i, touch.j, touch.n, -impulse.normal, impulse.tangential, before[k], motions.relative(touch)});
+  }
   return done;
 }
 
@@ -226,6 +251,7 @@ void resolve_part(const ContactResolver<R, F>& law, Motions& motions, const std:
   const std::vector<Meeting> meetings = meetings_of(law, motions, part, duration);
   Eigen::VectorXd wanted(static_cast<Eigen::Index>(part.size()));
   for (std::size_t k = 0; k < part.size(); ++k) wanted[static_cast<Eigen::Index>(k)] = meetings[k].wanted;
+  const std::vector<Eigen::Vector3d> before = relative_velocities(law.recorder, motions, part);
   const Eigen::VectorXd pushes = group_pushes(part, motions.inverse_mass, wanted);
   for (std::size_t k = 0; k < part.size(); ++k) {
     const double push = pushes[static_cast<Eigen::Index>(k)];
@@ -233,7 +259,14 @@ void resolve_part(const ContactResolver<R, F>& law, Motions& motions, const std:
     done.largest_impulse = std::max(done.largest_impulse, push);
     if (push > 0.0) ++done.impacts;
   }
-  rub(law, motions, part, pushes, meetings, duration);
+  const std::vector<Eigen::Vector3d> friction = rub(law, motions, part, pushes, meetings, duration);
+  for (std::size_t k = 0; k < before.size(); ++k) {
+    const double push = pushes[static_cast<Eigen::Index>(k)];
+    const Eigen::Vector3d tangential = friction.empty() ? Eigen::Vector3d::Zero().eval() : friction[k];
+    if (push > 0.0) {
+      law.recorder({part[k].i, part[k].j, part[k].n, push, tangential, before[k], motions.relative(part[k])});
+    }
+  }
 }
 
 // Those of some contacts that approach fastest, ties together; none once all are at rest.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,22 @@ struct Touch {
   Eigen::Vector3d n = Eigen::Vector3d::Zero();             ///< unit vector from i to j
   Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();  ///< of i minus that of j, by all other forces [m/s^2]
 };
+
+/// One impact, as it was resolved.
+struct ImpactRecord {
+  Eigen::Index i = 0;                                    ///< one particle
+  Eigen::Index j = -1;                                   ///< the other; negative: a wall
+  Eigen::Vector3d n = Eigen::Vector3d::Zero();           ///< unit vector from i to j
+  double push = 0.0;                                     ///< normal impulse that drives them apart, >= 0 [N s]
+  Eigen::Vector3d tangential = Eigen::Vector3d::Zero();  ///< impulse of friction on i, across n [N s]
+  Eigen::Vector3d before = Eigen::Vector3d::Zero();      ///< velocity of i as seen from j, before it [m/s]
+  Eigen::Vector3d after = Eigen::Vector3d::Zero();       ///< and after it, with those resolved together [m/s]
+};
+
+/// Is told of every impact; empty: nobody is.
+using ImpactRecorder = std::function<void(const ImpactRecord&)>;
+
+inline const ImpactRecorder nobody = {};  ///< records nothing
 
 /// What the impulses of one moment did.
 struct Resolved {
@@ -62,6 +79,7 @@ struct ContactResolver {
   RestitutionLaw restitution;                      ///< share of the approach speed that is kept
   FrictionLaw friction;                            ///< Friction or Frictionless
   Resolution resolution = Resolution::sequential;  ///< in what order
+  const ImpactRecorder& recorder = nobody;         ///< is told of every impact; it must outlive the resolver
 
   /// Resolves all contacts of one moment.
   ///

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <concepts>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -10,23 +11,12 @@ namespace particulate::kinematics {
 
 /// Where the particles live. It alone knows how to get from one place to another, so laws never subtract positions.
 ///
-/// `separation(domain, from, to)` is found beside the domain's type.
+/// `separation(domain, from, to)` is found beside the domain's type. Space is the library's own, for which what takes
+/// long is compiled once; a domain of one's own is served by templates over all pairs.
 template <class D>
 concept Domain = requires(const D& domain, const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
   { separation(domain, from, to) } -> std::same_as<Eigen::Vector3d>;
 };
-
-/// Unbounded space.
-struct Open {};
-
-/// The vector that leads from one place to another in unbounded space.
-///
-/// @param from  a place [m]
-/// @param to    another [m]
-/// @return to - from [m]
-inline Eigen::Vector3d separation(const Open&, const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
-  return to - from;
-}
 
 /// A plane that particles cannot pass, with space on the side that its normal points to.
 struct Wall {
@@ -43,29 +33,33 @@ inline double height_above(const Wall& wall, const Eigen::Vector3d& place) {
   return (place - wall.point).dot(wall.normal);
 }
 
-/// Unbounded space but for some walls.
-struct Walled {
-  std::vector<Wall> planes;  ///< the walls, each validated
+/// Space: unbounded, or between walls.
+struct Space {
+  std::vector<Wall> walls = {};  ///< planes that bound it, each validated; none: unbounded
+  Eigen::Vector3d lengths =
+      Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());  ///< after which it repeats itself in each
+                                                                           ///< direction; infinite: it does not [m]
 };
 
-/// Refuses a wall whose normal is no unit vector. Called once, where a domain enters a scene.
+/// Refuses a wall whose normal is no unit vector, and lengths that are not infinite: a space that repeats itself is not
+/// built yet. Called once, where a domain enters a scene.
 ///
-/// @param domain  space with walls
-/// @throws std::invalid_argument naming the wall, what must hold and what was given
-void validate(const Walled& domain);
+/// @param domain  space
+/// @throws std::invalid_argument naming the wall or the direction, what must hold and what was given
+void validate(const Space& domain);
 
-/// The vector that leads from one place to another between walls.
+/// The vector that leads from one place to another.
 ///
 /// @param from  a place [m]
 /// @param to    another [m]
 /// @return to - from [m]
-inline Eigen::Vector3d separation(const Walled&, const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+inline Eigen::Vector3d separation(const Space&, const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
   return to - from;
 }
 
-/// @param domain  space with walls
+/// @param domain  space
 /// @return its walls
-inline std::span<const Wall> walls(const Walled& domain) { return domain.planes; }
+inline std::span<const Wall> walls(const Space& domain) { return domain.walls; }
 
 /// A domain that has walls: `walls(domain)`.
 template <class D>

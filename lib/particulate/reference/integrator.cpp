@@ -30,8 +30,8 @@ namespace particulate::reference {
 namespace {
 
 using schemes::Outcome;
-using schemes::Status;
 using schemes::State;
+using schemes::Status;
 
 // What a flag means and what to do. CVODE and ARKODE share these numbers.
 std::string_view meaning(int flag) {

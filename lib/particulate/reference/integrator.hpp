@@ -12,9 +12,10 @@ namespace particulate::reference {
 
 /// A method of SUNDIALS at work on a problem of ours: the independent judge of every scheme.
 ///
-/// The problem is the very object that the schemes get. SUNDIALS keeps (r, v, y) in one vector, where right-hand sides read
-/// and write in place; it is copied at the ends of a leg. What the problem throws comes out of advance() as it was thrown. Where it has no value, or none that is
-/// finite, the step is tried again smaller; so it is where a Jacobian is not finite.
+/// The problem is the very object that the schemes get. SUNDIALS keeps (r, v, y) in one vector, where right-hand sides
+/// read and write in place; it is copied at the ends of a leg. What the problem throws comes out of advance() as it was
+/// thrown. Where it has no value, or none that is finite, the step is tried again smaller; so it is where a Jacobian is
+/// not finite.
 ///
 /// Accuracy has a floor of about 1e-11 (Adams), 1e-12 (explicit Runge-Kutta) or 2e-9 (BDF) relative, measured over ten
 /// orbits of a Kepler problem; what must hold below that needs a closed form. One integrator is for one thread; several

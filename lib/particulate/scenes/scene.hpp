@@ -1,16 +1,13 @@
 #pragma once
 
 #include <optional>
-#include <stdexcept>
 #include <tuple>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include <particulate/contact/contact.hpp>
-#include <particulate/contact/law.hpp>
 #include <particulate/kinematics/domain.hpp>
 #include <particulate/kinematics/particles.hpp>
+#include <particulate/laws/law.hpp>
 #include <particulate/schemes/problem.hpp>
 
 namespace particulate::scenes {
@@ -19,7 +16,7 @@ namespace detail {
 
 // Outside the scene, whose own member of that name would hide what stands beside the law.
 template <class L, class D>
-double energy_of(const L& law, const D& domain, const contact::Places& at) {
+double energy_of(const L& law, const D& domain, const laws::At<>& at) {
   return potential_energy(law, domain, at);
 }
 
@@ -29,13 +26,17 @@ auto tolerance_of(const L& law) {
   return touching_tolerance(law);
 }
 
-// A vector of another length would be read beyond its end.
-inline void require_length(Eigen::Index given, Eigen::Index N) {
-  if (given != 3 * N) {
-    throw std::invalid_argument(
-        fmt::format("scene: vectors of {} particles must hold {} numbers, got {}", N, 3 * N, given));
-  }
+template <class L, class D>
+schemes::Jump jump_of(const L& law, const D& domain, const laws::At<laws::Velocity>& at, double dt,
+                      schemes::Out velocity) {
+  return jump(law, domain, at, dt, velocity);
 }
+
+// Adds what one law did to what all have done.
+void add_jump(schemes::Jump one, schemes::Jump& all);
+
+// A vector of another length would be read beyond its end.
+void require_length(Eigen::Index given, Eigen::Index N);
 
 }  // namespace detail
 
@@ -49,8 +50,10 @@ inline void require_length(Eigen::Index given, Eigen::Index N) {
 template <kinematics::Domain D, class... Laws>
 class Scene {
   static_assert(
-      ((contact::PositionForce<Laws, D> || contact::MotionForce<Laws, D> || contact::Impacts<Laws>)&&...),
-      "a law of this scene has no add_force(law, domain, places, forces) for this domain, nor resolves impacts");
+      ((laws::Force<Laws, D> || contact::Impacts<Laws> || laws::ChangesVelocities<Laws, D>)&&...),
+      "a law of this scene has no add_force(law, domain, at, forces) for this domain, nor resolves impacts, nor jumps");
+  static_assert(!(laws::needs_temperature<Laws, D> || ...),
+                "a law of this scene asks for temperatures, which its particles do not have");
   static_assert(
       (0 + ... + static_cast<int>(contact::Impacts<Laws>)) <= 1,
       "a scene has at most one law that resolves impacts: several would each settle what the other unsettles");
@@ -71,9 +74,12 @@ class Scene {
   }
 
   /// Whether a law asks for velocities.
-  static constexpr bool needs_velocity = (contact::MotionForce<Laws, D> || ...);
-  /// Whether a law resolves impacts.
-  static constexpr bool has_impacts = (contact::Impacts<Laws> || ...);
+  static constexpr bool needs_velocity = (laws::needs_velocity<Laws, D> || ...);
+  /// Whether a law changes velocities at once at the end of a step.
+  template <class L>
+  static constexpr bool jumps = contact::Impacts<L> || laws::ChangesVelocities<L, D>;
+  /// How many do.
+  static constexpr int jumping_laws = (0 + ... + static_cast<int>(jumps<Laws>));
 
   /// @return the start, and what stays with each particle
   const kinematics::Particles& particles() const { return particles_; }
@@ -117,23 +123,27 @@ class Scene {
   ///
   /// @param state  a state of this scene
   /// @return energy [J]
-  double potential_energy(const schemes::State& state) const requires(contact::Conservative<Laws, D>&&...) {
-    const contact::Places at = places(state.t, state.r);
+  double potential_energy(const schemes::State& state) const requires(laws::Conservative<Laws, D>&&...) {
+    const laws::At<> at = places(state.t, state.r);
     return std::apply([&](const auto&... law) { return (0.0 + ... + detail::energy_of(law, domain_, at)); }, laws_);
   }
 
-  /// Contacts at the end of a step, as a jump of the velocities. The other forces are asked for only where bodies meet.
+  /// What the laws change at once at the end of a step, one after the other: contacts, limits. The other forces are
+  /// asked for only where bodies meet.
   ///
   /// @param state  a state of this scene; its velocities are changed
   /// @param dt     the step that ends there [s]
-  /// @return impacts, change of kinetic energy, overlap; unsettled if a direction or a force is missing
-  schemes::Jump jump(schemes::State& state, double dt) const requires has_impacts {
-    schemes::Jump jump;
-    const auto resolve = [&](const auto& law) {
-      if constexpr (contact::Impacts<std::decay_t<decltype(law)>>) jump = jump_by(law, state, dt);
+  /// @return impacts, change of kinetic energy, overlap, and where several laws jump those of each; unsettled if a
+  ///         direction or a force is missing
+  schemes::Jump jump(schemes::State& state, double dt) const requires(jumping_laws > 0) {
+    schemes::Jump all;
+    const auto do_one = [&](const auto& law) {
+      if constexpr (jumps<std::decay_t<decltype(law)>>) {
+        if (all.unsettled.empty()) add_jump(jump_by(law, state, dt), all);
+      }
     };
-    std::apply([&](const auto&... law) { (resolve(law), ...); }, laws_);
-    return jump;
+    std::apply([&](const auto&... law) { (do_one(law), ...); }, laws_);
+    return all;
   }
 
   /// The first place of a step at which bodies touch; only a scene with located contacts offers it.
@@ -164,52 +174,66 @@ class Scene {
  private:
   using Shaped = Eigen::Map<const kinematics::Vectors>;
 
+  static void add_jump(schemes::Jump one, schemes::Jump& all) {
+    if constexpr (jumping_laws == 1) {
+      all = std::move(one);
+    } else {
+      detail::add_jump(std::move(one), all);
+    }
+  }
   template <class L>
   schemes::Jump jump_by(const L& law, schemes::State& state, double dt) const {
-    const contact::Moving here = moving(state.t, state.r, state.v);
-    contact::Touching touching = contact::find_touching(domain_, here, detail::tolerance_of(law));
-    if (!contact::any_approach(touching, here)) return {.overlap = touching.overlap, .unsettled = {}};
-    Eigen::VectorXd others(state.r.size());
-    if (!total_force(state, others)) {
-      return {
-          .overlap = touching.overlap, .evaluations = 1, .unsettled = "the forces have no value where bodies touch"};
+    const laws::At<laws::Velocity> here = moving(state.t, state.r, state.v);
+    if constexpr (contact::Impacts<L>) {
+      contact::Touching touching = contact::find_touching(domain_, here, detail::tolerance_of(law));
+      if (!contact::any_approach(touching, here)) return {.overlap = touching.overlap, .unsettled = {}};
+      Eigen::VectorXd others(state.r.size());
+      if (!total_force(state, others)) {
+        return {
+            .overlap = touching.overlap, .evaluations = 1, .unsettled = "the forces have no value where bodies touch"};
+      }
+      Eigen::VectorXd after = state.v;
+      schemes::Jump jump = resolve_impacts(law, here, std::move(touching), others, dt, after);
+      jump.evaluations = 1;
+      state.v = after;
+      return jump;
+    } else {
+      Eigen::VectorXd after = state.v;
+      schemes::Jump jump = detail::jump_of(law, domain_, here, dt, after);
+      state.v = after;
+      return jump;
     }
-    Eigen::VectorXd after = state.v;
-    schemes::Jump jump = resolve_impacts(law, here, std::move(touching), others, dt, after);
-    jump.evaluations = 1;
-    state.v = after;
-    return jump;
   }
 
   template <class L>
   static void check(const L& law) {
-    if constexpr (contact::Validated<L>) validate(law);
+    if constexpr (laws::Validated<L>) validate(law);
   }
   Shaped shaped(schemes::In x) const {
     detail::require_length(x.size(), particles_.size());
     return {x.data(), particles_.size(), 3};
   }
-  contact::Places places(double t, schemes::In r) const {
-    return {.t = t, .position = shaped(r), .mass = particles_.mass, .radius = particles_.radius};
+  laws::At<> places(double t, schemes::In r) const {
+    return {.t = t, .position = shaped(r), .mass = particles_.mass, .radius = particles_.radius, .scratch = scratch_};
   }
-  contact::Moving moving(double t, schemes::In r, schemes::In v) const {
+  laws::At<laws::Velocity> moving(double t, schemes::In r, schemes::In v) const {
     return {places(t, r), shaped(v), inverse_mass_};
   }
 
   template <class L, class Here>
-  bool add(const L& law, const Here& at, contact::Forces sum) const {
-    if constexpr (contact::PositionForce<L, D> || contact::MotionForce<L, D>) return add_force(law, domain_, at, sum);
+  bool add(const L& law, const Here& at, laws::Forces sum) const {
+    if constexpr (laws::Force<L, D>) return add_force(law, domain_, at, sum);
     return true;
   }
   template <class Here>
   bool force(const Here& at, schemes::Out f) const {
     detail::require_length(f.size(), particles_.size());
     f.setZero();
-    const contact::Forces sum(f.data(), particles_.size(), 3);
+    const laws::Forces sum(f.data(), particles_.size(), 3);
     return std::apply([&](const auto&... law) { return (add(law, at, sum) && ...); }, laws_);
   }
   bool divide_by_mass(schemes::Out a) const {
-    contact::Forces(a.data(), particles_.size(), 3).array().colwise() *= inverse_mass_.array();
+    laws::Forces(a.data(), particles_.size(), 3).array().colwise() *= inverse_mass_.array();
     return a.allFinite();
   }
 
@@ -217,6 +241,7 @@ class Scene {
   Eigen::VectorXd inverse_mass_;
   D domain_;
   std::tuple<Laws...> laws_;
+  mutable laws::Scratch scratch_;  // a scene serves one run at a time
 };
 
 /// Where a scene starts.

@@ -13,8 +13,8 @@ namespace {
 // Newton's sweeps that contract less keep their Jacobian no longer.
 constexpr double slow = 1e-2;
 
-// sum += scale sum_j w_j k_j, over some rows of k. Four columns at a time, so that the sum is loaded and stored a quarter
-// as often.
+// sum += scale sum_j w_j k_j, over some rows of k. Four columns at a time, so that the sum is loaded and stored a
+// quarter as often.
 template <class Rows>
 void add_weighted(const double* w, double scale, const Rows& k, Eigen::VectorXd& sum) {
   const Eigen::Index s = k.cols();
@@ -362,9 +362,7 @@ void AnyCollocation::finish(const State& from, double dt, State& to) {
 // --- Its error -------------------------------------------------------------------------------------------------------
 
 double AnyCollocation::over_value_sizes(const Eigen::VectorXd& x, const State& to) const {
-  if (settings_.sizes.size() > 0) {
-    return largest(x.cwiseQuotient(to.y.cwiseAbs().cwiseMax(sizes(to).tail(m_))));
-  }
+  if (settings_.sizes.size() > 0) { return largest(x.cwiseQuotient(to.y.cwiseAbs().cwiseMax(sizes(to).tail(m_)))); }
   return x.size() > 0 ? (x.array().abs() / to.y.array().abs().max(settings_.size)).maxCoeff() : 0.0;
 }
 

@@ -38,9 +38,9 @@ void validate(const CollocationSettings& settings);
 struct StageSolver {
   /// The choice.
   enum class How { in_turn, at_once, mixed, newton };
-  How how = How::in_turn;   ///< see the types that it is made of
-  Anderson mixing{};        ///< for How::mixed
-  NewtonSteps newton{};     ///< for How::newton
+  How how = How::in_turn;  ///< see the types that it is made of
+  Anderson mixing{};       ///< for How::mixed
+  NewtonSteps newton{};    ///< for How::newton
 
   /// @cond one of each kind of solver
   StageSolver(const Sequential&) : how(How::in_turn) {}
@@ -148,15 +148,15 @@ class AnyCollocation {
   CollocationSettings settings_;
   StageSolver solver_;
   PartMeasures measures_;
-  Eigen::Index n_ = 0, m_ = 0;        // places, and values with rates: the rows of what follows
-  Eigen::MatrixXd k_, old_, image_;   // rates (a, dy), one column a stage
+  Eigen::Index n_ = 0, m_ = 0;       // places, and values with rates: the rows of what follows
+  Eigen::MatrixXd k_, old_, image_;  // rates (a, dy), one column a stage
   Eigen::VectorXd f_, start_, guessed_;
   State stage_;
   Rates rates_;
   Eigen::VectorXd change_, before_, before_y_, other_r_, other_y_, other_before_r_, other_before_y_, zero_;  // scratch
-  Carry carry_, new_carry_;  // of the start, and of the end
+  Carry carry_, new_carry_;                                   // of the start, and of the end
   State end_{.t = std::numeric_limits<double>::quiet_NaN()};  // of the step accepted last
-  State new_end_;                                              // of the step made last
+  State new_end_;                                             // of the step made last
   double old_dt_ = 0.0, newton_change_ = 0.0, rate_ = 0.0;
   double refused_at_ = std::numeric_limits<double>::quiet_NaN();
   bool accepted_ = false, has_old_ = false, bootstraps_ = false, retried_ = false, needs_speed_ = false;
@@ -173,8 +173,8 @@ class AnyCollocation {
 ///     r^{L+1} = r^L + h\,v^L + h^2 \sum_j \bar b_j a_j, \quad v^{L+1} = v^L + h \sum_j b_j a_j \f]
 ///
 /// with \f$ \bar A = A A \f$: the same method on \f$ y = (r, v) \f$, without the velocities of the stages where forces
-/// ignore them. Values that ride along with a motion take part in the same stages. Radau<1> from Guess::free_flight by Picard is BackwardEuler. Source: @cite hairer1993, sections II.7
-/// and II.14.
+/// ignore them. Values that ride along with a motion take part in the same stages. Radau<1> from Guess::free_flight by
+/// Picard is BackwardEuler. Source: @cite hairer1993, sections II.7 and II.14.
 ///
 /// The stage equations are solved by sweeps, of which each asks for s right-hand sides. A sweep's change is that of the
 /// state at the end of the step, in the problem's measure over the displacement of the first sweep (see

@@ -22,8 +22,9 @@ enum class Action {
 
 /// Functions \f$ g_k(t, r, v, y) \f$ whose zeros are events.
 ///
-/// All are evaluated together: `functions(state, g)` writes as many numbers as there are directions. The same object can be given to a Watch, and to CVODE as the judge of it, which stops at
-/// every event. What the functions throw comes out of the run as it was thrown.
+/// All are evaluated together: `functions(state, g)` writes as many numbers as there are directions. The same object
+/// can be given to a Watch, and to CVODE as the judge of it, which stops at every event. What the functions throw comes
+/// out of the run as it was thrown.
 struct Events {
   std::function<void(const State& at, Out g)> functions = {};  ///< writes every g_k; all continuous and finite
   std::vector<Direction> directions = {};                      ///< one a function; none: no events

@@ -33,10 +33,10 @@ void validate_parts(const Traits& of, const State& state) {
         state.r.size()));
   }
   if (!of.staggered && !of.values && !of.carries && state.y.size() > 0) {
-    throw std::invalid_argument(
-        fmt::format("run: the problem has no rate for values, so the state must have none, got {}: give it rates(t, r, v, "
-                    "y, a, dy), or the constant values_by_jumps if they change by jumps alone",
-                    state.y.size()));
+    throw std::invalid_argument(fmt::format(
+        "run: the problem has no rate for values, so the state must have none, got {}: give it rates(t, r, v, "
+        "y, a, dy), or the constant values_by_jumps if they change by jumps alone",
+        state.y.size()));
   }
 }
 
@@ -72,7 +72,8 @@ std::string accumulating(double t, long most) {
 // A fixed step cannot be cut.
 std::string beyond_limit(double dt, const TimeScale& scale, double spans) {
   return fmt::format(
-      "a step must span at most {:.6g} of the time scale of {}, which is {:.6g} s, but the fixed step is {:.6g} s: take "
+      "a step must span at most {:.6g} of the time scale of {}, which is {:.6g} s, but the fixed step is {:.6g} s: "
+      "take "
       "at most {:.6g} s, or a control that adapts its step",
       spans, scale.name, scale.seconds, dt, spans * scale.seconds);
 }
@@ -119,12 +120,14 @@ class Run {
         locates_(task.watch || task.problem.locates_jumps()) {
     if (!task_.scheme_can.advances(problem_.traits())) {
       throw std::invalid_argument(
-          "run: the scheme must be able to advance all that the problem has, and this one leaves something behind: take "
+          "run: the scheme must be able to advance all that the problem has, and this one leaves something behind: "
+          "take "
           "another scheme, or leave out the forces that ask for velocities, or the values that have rates");
     }
     if (locates_ && !task_.scheme_can.at) {
-      throw std::invalid_argument("run: events and located jumps need a scheme with dense output, at(from, dt, theta, "
-                                  "there); this one has none: take Collocation");
+      throw std::invalid_argument(
+          "run: events and located jumps need a scheme with dense output, at(from, dt, theta, "
+          "there); this one has none: take Collocation");
     }
   }
 
@@ -194,11 +197,10 @@ class Run {
   bool within_limits() {
     for (const TimeScale& scale : problem_.step_limits(state_)) {
       if (!(scale.seconds > 0.0)) {
-        throw std::invalid_argument(fmt::format("problem: the time scale of {} must be positive, got {} s", scale.name,
-                                                scale.seconds));
+        throw std::invalid_argument(
+            fmt::format("problem: the time scale of {} must be positive, got {} s", scale.name, scale.seconds));
       }
-      const double spans =
-          task_.scheme_can.spans(task_.scheme, scale.kind, task_.control_can.sweeps(task_.control));
+      const double spans = task_.scheme_can.spans(task_.scheme, scale.kind, task_.control_can.sweeps(task_.control));
       if (dt_ <= spans * scale.seconds) continue;
       if (task_.control_can.fixes_step || !(spans > 0.0)) {
         out_.workable_step = spans * scale.seconds;
@@ -260,6 +262,11 @@ class Run {
     out_.energy_change += jump.energy_change;
     out_.overlap = std::max(out_.overlap, jump.overlap);
     out_.evaluations += jump.evaluations;
+    out_.jumps_by_law.resize(jump.by_law.size());
+    for (std::size_t k = 0; k < jump.by_law.size(); ++k) {
+      out_.jumps_by_law[k].impacts += jump.by_law[k].impacts;
+      out_.jumps_by_law[k].energy_change += jump.by_law[k].energy_change;
+    }
     if (jump.impacts > 0 || !jump.unsettled.empty()) forget();
     if (jump.unsettled.empty()) return true;
     out_.accumulation = jump.accumulates;

@@ -66,22 +66,19 @@ struct SchemeTable {
 
 template <Scheme S>
 constexpr SchemeTable scheme_table() {
-  SchemeTable can{
-      .order = S::order,
-      .advances = [](const Traits& of) { return S::advances(of); },
-      .predict = [](void* s, const Problem& p, const State& from, double dt,
-                    State& to) { return static_cast<S*>(s)->predict(p, from, dt, to); },
-      .accept = [](void* s, double dt) { static_cast<S*>(s)->accept(dt); },
-      .forget = [](void* s) { static_cast<S*>(s)->forget(); }};
+  SchemeTable can{.order = S::order,
+                  .advances = [](const Traits& of) { return S::advances(of); },
+                  .predict = [](void* s, const Problem& p, const State& from, double dt,
+                                State& to) { return static_cast<S*>(s)->predict(p, from, dt, to); },
+                  .accept = [](void* s, double dt) { static_cast<S*>(s)->accept(dt); },
+                  .forget = [](void* s) { static_cast<S*>(s)->forget(); }};
   if constexpr (Iterative<S>) {
     can.sweep = [](void* s, const Problem& p, const State& from, double dt, State& to) {
       return static_cast<S*>(s)->sweep(p, from, dt, to);
     };
   }
   if constexpr (Measured<S>) {
-    can.iterations = [](const void* s) -> std::span<const Iteration> {
-      return static_cast<const S*>(s)->iterations();
-    };
+    can.iterations = [](const void* s) -> std::span<const Iteration> { return static_cast<const S*>(s)->iterations(); };
   }
   if constexpr (EstimatesTruncation<S>) {
     can.truncation = [](void* s, const Problem& p, const State& from, double dt, const State& to) {
@@ -200,8 +197,9 @@ Outcome integrate(P& problem, State& state, double t_end, S& scheme, C& control,
 ///         is erased and of which the scheme cannot advance all
 /// @throws std::logic_error if the controller accepts a step that has no value
 template <AnyProblem P, Scheme S, Controller C, class Observer = Unobserved>
-requires(Advances<S, P> && (Dense<S> || !LocatesJumps<P>) && !std::is_same_v<std::remove_cvref_t<Observer>, Watch>)
-Outcome integrate(P& problem, State& state, double t_end, S& scheme, C& control, Observer&& observer = {}) {
+requires(Advances<S, P> &&
+         (Dense<S> || !LocatesJumps<P>)&&!std::is_same_v<std::remove_cvref_t<Observer>, Watch>) Outcome
+    integrate(P& problem, State& state, double t_end, S& scheme, C& control, Observer&& observer = {}) {
   return detail::integrate(problem, state, t_end, scheme, control, nullptr, observer);
 }
 
@@ -222,9 +220,8 @@ Outcome integrate(P& problem, State& state, double t_end, S& scheme, C& control,
 /// @throws std::invalid_argument as the other integrate(), and where an event function is not finite
 /// @throws std::logic_error if the controller accepts a step that has no value
 template <AnyProblem P, Scheme S, Controller C, class Observer = Unobserved>
-requires(Advances<S, P> && Dense<S>)
-Outcome integrate(P& problem, State& state, double t_end, S& scheme, C& control, Watch& watch,
-                  Observer&& observer = {}) {
+requires(Advances<S, P>&& Dense<S>) Outcome
+    integrate(P& problem, State& state, double t_end, S& scheme, C& control, Watch& watch, Observer&& observer = {}) {
   return detail::integrate(problem, state, t_end, scheme, control, &watch, observer);
 }
 

@@ -63,9 +63,9 @@ class IterationMeasure {
 
 /// The measures of every part of a state, for a scheme that sweeps over all of it at once.
 ///
-/// The motion is one part; each named range of y is another, measured by the problem's distance where it is all that the
-/// problem has, else by the sum of absolute values: metres and kelvins are never added. Each has its own displacement,
-/// rounding and exponent p, and the worst, in units of its tolerance, stands for all.
+/// The motion is one part; each named range of y is another, measured by the problem's distance where it is all that
+/// the problem has, else by the sum of absolute values: metres and kelvins are never added. Each has its own
+/// displacement, rounding and exponent p, and the worst, in units of its tolerance, stands for all.
 class PartMeasures {
  public:
   /// Forgets the last step.

@@ -101,8 +101,9 @@ Derivatives<Dense> whole(const Problem& problem, const State& from) {
   Dense W = Dense::Zero(n + m, 2 * n + m);
   problem.jacobian(where(from), W);
   if (W.rows() != n + m || W.cols() != 2 * n + m) {
-    throw std::invalid_argument("problem: jacobian(t, r, v, y, J) must leave its matrix as large as it gets it, with a row "
-                                "for each rate in (a, dy) and a column for each number in (r, v, y)");
+    throw std::invalid_argument(
+        "problem: jacobian(t, r, v, y, J) must leave its matrix as large as it gets it, with a row "
+        "for each rate in (a, dy) and a column for each number in (r, v, y)");
   }
   Derivatives<Dense> by{.J = W.rightCols(n + m), .K = Dense::Zero(n + m, n + m)};
   by.K.leftCols(n) = W.leftCols(n);
@@ -116,9 +117,7 @@ bool by_differences(const Problem& problem, const State& from, const Eigen::Vect
   RatesBy rates(problem, from);
   Eigen::VectorXd f;
   if (!rates(f)) return false;
-  if (!has.motion) {
-    return difference_jacobian(rates.part(&State::y), from.y, f, sizes, problem.bandwidth(), by.J);
-  }
+  if (!has.motion) { return difference_jacobian(rates.part(&State::y), from.y, f, sizes, problem.bandwidth(), by.J); }
   if (!difference_jacobian(rates.part(&State::r), from.r, f, sizes, problem.bandwidth(), by.K)) return false;
   if (!has.velocities) return true;
   return difference_jacobian(rates.part(&State::v), from.v, f, sizes, problem.bandwidth(), by.J);
@@ -164,14 +163,16 @@ std::optional<Derivatives<SparseJacobian>> sparse_derivatives(const Problem& pro
                                                               const Eigen::VectorXd& sizes) {
   Derivatives<SparseJacobian> by;
   if (problem.traits().motion && problem.traits().values) {
-    throw std::invalid_argument("Newton: sparse matrices are for problems of motion or of values, got one of both: take "
-                                "DenseStages, or stagger the two");
+    throw std::invalid_argument(
+        "Newton: sparse matrices are for problems of motion or of values, got one of both: take "
+        "DenseStages, or stagger the two");
   }
   if (problem.has_sparse_jacobian()) {
     by = given<SparseJacobian>(problem, from, [&](SparseJacobian& J) { problem.sparse_jacobian(where(from), J); });
   } else if (!problem.bandwidth()) {
-    throw std::invalid_argument("Newton: sparse matrices need a problem with sparse_jacobian() or bandwidth(), got one "
-                                "with neither: take DenseStages");
+    throw std::invalid_argument(
+        "Newton: sparse matrices need a problem with sparse_jacobian() or bandwidth(), got one "
+        "with neither: take DenseStages");
   } else if (!by_differences(problem, from, sizes, by)) {
     return {};
   }

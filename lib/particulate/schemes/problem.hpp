@@ -56,8 +56,9 @@ concept SecondOrderProblem = PositionProblem<P> || MotionProblem<P>;
 /// computed once. It counts as one evaluation.
 ///
 /// Two constants of the problem say more. `ignores_velocities`: a and dy depend on t, r and y alone, so that
-/// schemes leave out what only velocities need, and v is then not that of the moment. `values_by_jumps`: y changes by jumps alone; every scheme carries it along, dy is then
-/// empty and must not be written. The latter serves problems of the other forms as well, whose state then has a y.
+/// schemes leave out what only velocities need, and v is then not that of the moment. `values_by_jumps`: y changes by
+/// jumps alone; every scheme carries it along, dy is then empty and must not be written. The latter serves problems of
+/// the other forms as well, whose state then has a y.
 template <class P>
 concept CoupledProblem = requires(P& p, double t, In r, In v, In y, Out a, Out dy) {
   { p.rates(t, r, v, y, a, dy) } -> std::same_as<bool>;
@@ -103,8 +104,8 @@ concept Splits = requires(P& p, double t, In y, Out dy) {
   { p.rate_fast(t, y, dy) } -> std::same_as<bool>;
 };
 
-/// Ability: how far apart two sets of places are, or of values where a problem has nothing else. The monograph sums norms
-/// over particles, which a flat vector does not know.
+/// Ability: how far apart two sets of places are, or of values where a problem has nothing else. The monograph sums
+/// norms over particles, which a flat vector does not know.
 template <class P>
 concept Measures = requires(const P& p, In x, In y) {
   { p.distance(x, y) } -> std::same_as<double>;
@@ -114,6 +115,12 @@ concept Measures = requires(const P& p, In x, In y) {
 template <class P>
 concept HasRanges = requires(const P& p) {
   { p.ranges() } -> std::convertible_to<std::vector<Range>>;
+};
+
+/// What one of several laws did in a jump.
+struct JumpShare {
+  long impacts = 0;            ///< pairs that exchanged an impulse, or changes of another kind [-]
+  double energy_change = 0.0;  ///< kinetic energy after minus before [J]
 };
 
 /// What a jump did to the state.
@@ -126,6 +133,7 @@ struct Jump {
   double accumulates =
       std::numeric_limits<double>::quiet_NaN();  ///< where jumps follow one another ever faster: the
                                                  ///< time that they do not get beyond; NaN: nowhere [s]
+  std::vector<JumpShare> by_law = {};            ///< of each law that jumps, in their order; empty where there is one
 };
 
 /// Ability: a state that may change at once, `jump(state, dt)`, called with the end of every accepted step of size dt.
@@ -166,8 +174,8 @@ concept StaggeredProblem = requires(P& p, std::size_t k, const State& from, doub
   { p.part(k) } -> std::same_as<Part>;
 };
 
-/// Ability of a staggered problem: how far apart two values of one field are, `distance(k, x, y)`; of the field that owns
-/// the motion, places.
+/// Ability of a staggered problem: how far apart two values of one field are, `distance(k, x, y)`; of the field that
+/// owns the motion, places.
 template <class P>
 concept MeasuresFields = requires(const P& p, std::size_t k, In x, In y) {
   { p.distance(k, x, y) } -> std::same_as<double>;
@@ -180,9 +188,9 @@ struct TimeScale {
     oscillates,  ///< \f$ 1/\omega \f$: sound, a spring
     decays       ///< \f$ 1/\lambda \f$: diffusion, drag
   };
-  std::string name;               ///< for reports: "sound"
-  Kind kind = Kind::oscillates;   ///< see Kind
-  double seconds = 0.0;           ///< the shortest of its kind, > 0 [s]
+  std::string name;              ///< for reports: "sound"
+  Kind kind = Kind::oscillates;  ///< see Kind
+  double seconds = 0.0;          ///< the shortest of its kind, > 0 [s]
 };
 
 /// Ability: `step_limits(state)`, the time scales of which a step may span only so many: see Limited.
@@ -213,7 +221,10 @@ constexpr Traits traits_of() {
   constexpr bool carries = requires { requires bool(P::values_by_jumps); };
   if constexpr (CoupledProblem<P>) {
     constexpr bool ignores = requires { requires bool(P::ignores_velocities); };
-    return {.motion = true, .velocities = !ignores, .values = !carries, .carries = carries,
+    return {.motion = true,
+            .velocities = !ignores,
+            .values = !carries,
+            .carries = carries,
             .staggered = StaggeredProblem<P>};
   } else {
     static_assert(!(FirstOrderProblem<P> && SecondOrderProblem<P>),
@@ -228,10 +239,10 @@ constexpr Traits traits_of() {
 
 /// The arguments of a right-hand side; nothing is copied.
 struct Where {
-  double t;                              ///< time [s]
-  Eigen::Map<const Eigen::VectorXd> r;   ///< places [m]
-  Eigen::Map<const Eigen::VectorXd> v;   ///< velocities [m/s]
-  Eigen::Map<const Eigen::VectorXd> y;   ///< values
+  double t;                             ///< time [s]
+  Eigen::Map<const Eigen::VectorXd> r;  ///< places [m]
+  Eigen::Map<const Eigen::VectorXd> v;  ///< velocities [m/s]
+  Eigen::Map<const Eigen::VectorXd> y;  ///< values
 };
 
 /// Where a right-hand side writes its answers.

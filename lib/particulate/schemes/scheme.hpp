@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <vector>
 
 #include <particulate/schemes/problem.hpp>
 
@@ -48,7 +49,7 @@ concept Scheme = std::copyable<S> && requires(S& s, const Problem& p, const Stat
 /// A scheme that can advance all that a problem has. Of a problem whose type is erased that is not known before a run
 /// starts, which then refuses it.
 template <class S, class P>
-concept Advances = Scheme<S> && (std::same_as<std::remove_const_t<P>, Problem> || S::advances(traits_of<P>()));
+concept Advances = Scheme<S> &&(std::same_as<std::remove_const_t<P>, Problem> || S::advances(traits_of<P>()));
 
 /// A scheme that improves its guess by sweeps: `sweep(problem, from, dt, to)`. One sweep is the unit, so that the
 /// fixed point of the monograph, collocation, Newton and staggered fields fit one loop.
@@ -63,9 +64,9 @@ concept Dense = requires(const S& s, const State& from, double dt, double theta,
   s.at(from, dt, theta, there);
 };
 
-/// Ability of a scheme: how many of a problem's time scales one of its steps may span, `spans(kind, sweeps)`: 1/omega or
-/// 1/lambda, beyond which it is unstable or its sweeps do not contract. `sweeps` is how many a step makes, or 0 where they
-/// go on until they have converged. Without the ability there is no such limit.
+/// Ability of a scheme: how many of a problem's time scales one of its steps may span, `spans(kind, sweeps)`: 1/omega
+/// or 1/lambda, beyond which it is unstable or its sweeps do not contract. `sweeps` is how many a step makes, or 0
+/// where they go on until they have converged. Without the ability there is no such limit.
 template <class S>
 concept Limited = requires(const S& s, TimeScale::Kind kind, int sweeps) {
   { s.spans(kind, sweeps) } -> std::same_as<double>;
@@ -173,7 +174,8 @@ struct [[nodiscard]] Outcome {
   double energy_change = 0.0;  ///< of the kinetic energy by jumps [J]
   double accumulation = std::numeric_limits<double>::quiet_NaN();  ///< after Failure::accumulating: the time that jumps
                                                                    ///< or events do not get beyond [s]
-  std::string ruled = {};  ///< the time scale of the problem that cut a step last; empty: none did
+  std::vector<JumpShare> jumps_by_law = {};  ///< of each law that jumps, in their order; empty where there is one
+  std::string ruled = {};                    ///< the time scale of the problem that cut a step last; empty: none did
 };
 
 }  // namespace particulate::schemes

@@ -58,10 +58,11 @@ struct SparseStages {};
 /// Simplified Newton: the Jacobian is taken at the start of a step and kept as long as the sweeps contract fast.
 ///
 /// It solves stiff problems, whose fixed-point sweeps would need steps as small as an explicit scheme's. The Jacobian
-/// is the problem's own, if it has that ability (HasJacobian, HasWholeJacobian), else made of difference quotients, which
-/// are charged as evaluations: one for each unknown, or for a banded one, one for each diagonal, and one at the start.
-/// Where motion and values act on each other it is that of all of (r, v, y).
-/// @tparam Stages  DenseStages, or SparseStages for a problem with a sparse Jacobian or a bandwidth, which has motion or
+/// is the problem's own, if it has that ability (HasJacobian, HasWholeJacobian), else made of difference quotients,
+/// which are charged as evaluations: one for each unknown, or for a banded one, one for each diagonal, and one at the
+/// start. Where motion and values act on each other it is that of all of (r, v, y).
+/// @tparam Stages  DenseStages, or SparseStages for a problem with a sparse Jacobian or a bandwidth, which has motion
+/// or
 ///                 values, not both
 template <class Stages = DenseStages>
 struct Newton {

@@ -48,9 +48,9 @@ bool Staggered::predict(const Problem& problem, const State& from, double dt, St
 
 void Staggered::begin(const Problem& problem, const State& to) {
   if (fields_.size() != problem.fields()) {
-    throw std::invalid_argument(fmt::format(
-        "staggering: there must be settings for each of the problem's {} fields, got {}", problem.fields(),
-        fields_.size()));
+    throw std::invalid_argument(
+        fmt::format("staggering: there must be settings for each of the problem's {} fields, got {}", problem.fields(),
+                    fields_.size()));
   }
   owned_.resize(fields_.size());
   measures_.resize(fields_.size());
@@ -70,9 +70,9 @@ void Staggered::begin(const Problem& problem, const State& to) {
     starts_[k] = read(owned_[k], to);
   }
   if (places != to.r.size() || values != to.y.size()) {
-    throw std::invalid_argument(
-        fmt::format("staggering: fields must own all of the state, {} places and {} values, each once; they own {} and {}",
-                    to.r.size(), to.y.size(), places, values));
+    throw std::invalid_argument(fmt::format(
+        "staggering: fields must own all of the state, {} places and {} values, each once; they own {} and {}",
+        to.r.size(), to.y.size(), places, values));
   }
   if (relaxation_) relaxation_->forget();
   collect();

@@ -59,9 +59,9 @@ Decision next_step(double dt, const std::vector<Sweeps>& fields, const Settings&
 
 State gauss2_step(const Acceleration& a, const State& from, double dt, int sweeps) {
   const Line line{a};
-  const schemes::Motion start{
+  const schemes::State start{
       .t = 0.0, .r = Eigen::VectorXd::Constant(1, from.r), .v = Eigen::VectorXd::Constant(1, from.v)};
-  schemes::Motion end;
+  schemes::State end;
   schemes::Collocation<schemes::Gauss<2>, schemes::Picard> scheme({.guess = schemes::Guess::free_flight});
   scheme.predict(line, start, dt, end);
   for (int k = 0; k < sweeps; ++k) (void)scheme.sweep(line, start, dt, end);

@@ -14,8 +14,8 @@
 #include <vector>
 
 #include <particulate/contact/contact.hpp>
-#include <particulate/contact/near_field.hpp>
-#include <particulate/scenes/gravity.hpp>
+#include <particulate/laws/near_field.hpp>
+#include <particulate/laws/gravity.hpp>
 #include <particulate/scenes/scene.hpp>
 #include <particulate/schemes/fixed_step.hpp>
 #include <particulate/schemes/integrate.hpp>
@@ -52,10 +52,10 @@ namespace {
 
 using namespace particulate;
 using contact::Contact;
-using kinematics::Open;
+using kinematics::Space;
 using kinematics::Wall;
-using kinematics::Walled;
-using scenes::Gravity;
+using kinematics::Space;
+using laws::Gravity;
 using scenes::Scene;
 
 constexpr Eigen::Index side = 4, N = side * side * side;
@@ -89,23 +89,23 @@ Walled box(double away) {
   Walled walls;
   for (int axis = 0; axis < 3; ++axis) {
     const Eigen::Vector3d n = Eigen::Vector3d::Unit(axis);
-    walls.planes.push_back(Wall{.point = low * n, .normal = n});
-    walls.planes.push_back(Wall{.point = high * n, .normal = -n});
+    walls.walls.push_back(Wall{.point = low * n, .normal = n});
+    walls.walls.push_back(Wall{.point = high * n, .normal = -n});
   }
   return walls;
 }
 
 const Gravity weight{.g = {0.0, 0.0, -0.1}};
 const Gravity weightless{.g = Eigen::Vector3d::Zero()};
-const contact::NearField field{.alpha1 = 0.01, .alpha2 = 0.005, .beta1 = 1.0, .beta2 = 2.0};
-const contact::NearField no_field{.alpha1 = 0.0, .alpha2 = 0.0, .beta1 = 1.0, .beta2 = 2.0};
+const laws::NearField field{.alpha1 = 0.01, .alpha2 = 0.005, .beta1 = 1.0, .beta2 = 2.0};
+const laws::NearField no_field{.alpha1 = 0.0, .alpha2 = 0.0, .beta1 = 1.0, .beta2 = 2.0};
 
 struct Run {
   long impacts = 0;
-  schemes::Motion end;
+  schemes::State end;
 };
 
-schemes::Motion start_of(const kinematics::Particles& particles) {
+schemes::State start_of(const kinematics::Particles& particles) {
   return {.t = 0.0, .r = particles.position.reshaped(), .v = particles.velocity.reshaped()};
 }
 
@@ -149,8 +149,8 @@ void weigh(const kinematics::Particles& particles, schemes::Out f) {
 }
 
 void attract(const kinematics::Particles& particles, schemes::In r, schemes::Out f) {
-  const contact::Places at{.t = 0.0, .position = {r.data(), N, 3}, .mass = particles.mass, .radius = particles.radius};
-  if (!add_force(field, Open{}, at, contact::Forces(f.data(), N, 3))) throw std::runtime_error("no force");
+  const laws::At<> at{.t = 0.0, .position = {r.data(), N, 3}, .mass = particles.mass, .radius = particles.radius};
+  if (!add_force(field, Open{}, at, laws::Forces(f.data(), N, 3))) throw std::runtime_error("no force");
 }
 
 // The same forces as a problem of its own, for the library's loop: what a scene adds to it is the composition alone.

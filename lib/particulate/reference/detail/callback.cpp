@@ -50,9 +50,9 @@ int evaluate_by(Side side, double t, N_Vector x, N_Vector dx, Callback& callback
 
 void check_size(const Eigen::MatrixXd& J, Eigen::Index rows, Eigen::Index columns) {
   if (J.rows() == rows && J.cols() == columns) return;
-  throw std::invalid_argument(
-      fmt::format("problem: jacobian must leave its matrix {} x {}, one row a rate and one column an unknown, got {} x {}",
-                  rows, columns, J.rows(), J.cols()));
+  throw std::invalid_argument(fmt::format(
+      "problem: jacobian must leave its matrix {} x {}, one row a rate and one column an unknown, got {} x {}", rows,
+      columns, J.rows(), J.cols()));
 }
 
 }  // namespace

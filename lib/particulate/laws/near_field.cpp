@@ -1,18 +1,17 @@
-#include <particulate/contact/near_field.hpp>
+#include <particulate/laws/near_field.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
 #include <fmt/format.h>
 
-#include <particulate/contact/detail/near_field_kernels.hpp>
+#include <particulate/laws/detail/near_field_kernels.hpp>
 
-namespace particulate::contact {
+namespace particulate::laws {
 
 namespace {
 
@@ -54,35 +53,28 @@ std::string refusal(Kernel kernel) {
       available, name(kernel));
 }
 
-// Columns of one thread, kept from one call to the next: each begins on a cache line and is padded with zeros.
-class Scratch {
- public:
-  detail::Columns filled(const double* position, const double* charge, Eigen::Index N) {
-    const auto lines = static_cast<std::size_t>((N + detail::padded_to - 1) / detail::padded_to);
-    lines_.assign(10 * lines, Line{});
-    const auto column = [&](std::size_t k) { return lines_[k * lines].number.data(); };
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      std::copy_n(position + static_cast<Eigen::Index>(axis) * N, N, column(axis));
-    }
-    std::copy_n(charge, N, column(3));
-    return {.x = column(0),
-            .y = column(1),
-            .z = column(2),
-            .charge = column(3),
-            .action_x = column(4),
-            .action_y = column(5),
-            .action_z = column(6),
-            .reaction_x = column(7),
-            .reaction_y = column(8),
-            .reaction_z = column(9)};
-  }
+static_assert(detail::padded_to == Scratch::line);
 
- private:
-  struct alignas(64) Line {
-    std::array<double, detail::padded_to> number{};
-  };
-  std::vector<Line> lines_;
-};
+// The columns of a scene's scratch, filled.
+detail::Columns filled(Scratch& scratch, const double* position, const double* charge, Eigen::Index N) {
+  double* const first = scratch.columns(10, N);
+  const std::size_t stride = Scratch::stride(N);
+  const auto column = [&](std::size_t k) { return first + k * stride; };
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    std::copy_n(position + static_cast<Eigen::Index>(axis) * N, N, column(axis));
+  }
+  std::copy_n(charge, N, column(3));
+  return {.x = column(0),
+          .y = column(1),
+          .z = column(2),
+          .charge = column(3),
+          .action_x = column(4),
+          .action_y = column(5),
+          .action_z = column(6),
+          .reaction_x = column(7),
+          .reaction_y = column(8),
+          .reaction_z = column(9)};
+}
 
 // Adds one component of the forces; false if one of them is not finite, which is what times zero is not zero.
 bool add_component(const double* action, const double* reaction, Eigen::Index N, double* force) {
@@ -140,7 +132,7 @@ kinematics::CentralForce pair_law(const NearField& law, double charge_i, double 
           .beta2 = law.beta2};
 }
 
-Eigen::VectorXd charges(const NearField& law, const Places& at) {
+Eigen::VectorXd charges(const NearField& law, const At<>& at) {
   switch (law.scaling) {
     case Scaling::mass:
       return at.mass;
@@ -152,7 +144,7 @@ Eigen::VectorXd charges(const NearField& law, const Places& at) {
   throw std::invalid_argument("near field: scaling must be mass, area or pair");
 }
 
-bool add_force(const NearField& law, const kinematics::Open&, const Places& at, Forces force) {
+bool add_force(const NearField& law, const kinematics::Space&, const At<>& at, Forces force) {
   if (!is_available(law.kernel)) throw std::invalid_argument(refusal(law.kernel));
   const detail::PairForce pair{.alpha1 = law.alpha1, .alpha2 = law.alpha2, .beta1 = law.beta1, .beta2 = law.beta2};
   const Eigen::Index N = at.mass.size();
@@ -166,10 +158,9 @@ bool add_force(const NearField& law, const kinematics::Open&, const Places& at, 
     return detail::add_pairs_baseline(pair, in_place, N) && force.allFinite();
   }
   const detail::AddPairs add_pairs = built(law.kernel == Kernel::best ? best_kernel() : law.kernel);
-  thread_local Scratch scratch;
-  const detail::Columns c = scratch.filled(r, charge, N);
+  const detail::Columns c = filled(at.scratch, r, charge, N);
   return add_pairs(pair, c, N) && add_component(c.action_x, c.reaction_x, N, f_x) &&
          add_component(c.action_y, c.reaction_y, N, f_y) && add_component(c.action_z, c.reaction_z, N, f_z);
 }
 
-}  // namespace particulate::contact
+}  // namespace particulate::laws

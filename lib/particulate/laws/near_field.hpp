@@ -4,10 +4,10 @@
 #include <limits>
 #include <string_view>
 
-#include <particulate/contact/law.hpp>
 #include <particulate/kinematics/central_force.hpp>
+#include <particulate/laws/law.hpp>
 
-namespace particulate::contact {
+namespace particulate::laws {
 
 /// What a near field's strengths are counted per.
 enum class Scaling {
@@ -55,7 +55,7 @@ struct NearField {
   double beta2 = 2.0;               ///< exponent of repulsion, >= 0 [-]
   double d_ref = 1.0;               ///< distance at which a pair's potential energy is zero, > 0 [m]
   Scaling scaling = Scaling::mass;  ///< what the strengths are counted per; units of the strengths follow it
-  Kernel kernel = Kernel::best;     ///< what adds the forces in unbounded space and between walls
+  Kernel kernel = Kernel::best;     ///< what adds the forces in Space
 };
 
 /// Refuses constants that are no near field, and a kernel that is not there. Called once, where a law enters a scene.
@@ -78,7 +78,7 @@ kinematics::CentralForce pair_law(const NearField& law, double charge_i, double 
 /// @param law  the near field
 /// @param at   the particles
 /// @return m_i, 4 pi b_i^2 or 1, N entries
-Eigen::VectorXd charges(const NearField& law, const Places& at);
+Eigen::VectorXd charges(const NearField& law, const At<>& at);
 
 /// Whether a squared distance is held to full precision: not below the smallest normal number, and not infinite.
 ///
@@ -88,34 +88,24 @@ inline bool is_full(double square) {
   return square >= std::numeric_limits<double>::min() && square <= std::numeric_limits<double>::max();
 }
 
-/// Adds the near-field forces over all pairs in unbounded space.
+/// Adds the near-field forces over all pairs in space, whose walls the near field does not feel.
 ///
 /// @equation{M 2.3} One pass over the pairs j > i with both forces from one evaluation, so that the total force
 /// vanishes to rounding. Cost N (N - 1)/2 pairs. The law's kernel takes 2, 4 or 8 of them at once in vector registers;
 /// up to ten particles are taken pair by pair, with the same bits whatever the kernel. Exponents (1, 2) and (2, 3) have
 /// code of their own, other whole numbers up to 64 are formed by multiplication, any others by std::pow, entry by
 /// entry. The inverse distance is a rounded square root and a rounded division; avx512 refines the processor's estimate
-/// instead, and errs less. More than ten particles are copied into padded columns that each thread keeps for the next
-/// call, 80 bytes a particle.
+/// instead, and errs less. More than ten particles are copied into padded columns of the scene's scratch,
+/// 80 bytes a particle.
 /// @param law    constants that validate() accepts
 /// @param at     the particles
 /// @param force  receives the forces, added to what it holds [N]
 /// @return false where two particles coincide, their squared distance is none (is_full()) or a force is too large for a
 ///         double; the forces are then meaningless
 /// @throws std::invalid_argument if the law's kernel is not available
-bool add_force(const NearField& law, const kinematics::Open&, const Places& at, Forces force);
+bool add_force(const NearField& law, const kinematics::Space&, const At<>& at, Forces force);
 
-/// The same between walls, which the near field does not feel.
-///
-/// @param law    constants that validate() accepts
-/// @param at     the particles
-/// @param force  receives the forces, added to what it holds [N]
-/// @return as in unbounded space
-inline bool add_force(const NearField& law, const kinematics::Walled&, const Places& at, Forces force) {
-  return add_force(law, kinematics::Open{}, at, force);
-}
-
-/// Adds the near-field forces over all pairs in any domain, pair by pair.
+/// Adds the near-field forces over all pairs in a domain of one's own, pair by pair.
 ///
 /// @equation{M 2.3}
 /// @param law     constants that validate() accepts
@@ -125,7 +115,7 @@ inline bool add_force(const NearField& law, const kinematics::Walled&, const Pla
 /// @return false where two particles coincide, their squared distance is none (is_full()) or a force is too large for a
 ///         double; the forces are then meaningless
 template <kinematics::Domain D>
-bool add_force(const NearField& law, const D& domain, const Places& at, Forces force) {
+bool add_force(const NearField& law, const D& domain, const At<>& at, Forces force) {
   const Eigen::VectorXd charge = charges(law, at);
   for (Eigen::Index i = 0; i < at.mass.size(); ++i) {
     for (Eigen::Index j = i + 1; j < at.mass.size(); ++j) {
@@ -151,7 +141,7 @@ bool add_force(const NearField& law, const D& domain, const Places& at, Forces f
 /// @param at      the particles
 /// @return energy, infinite or NaN where two particles coincide [J]
 template <kinematics::Domain D>
-double potential_energy(const NearField& law, const D& domain, const Places& at) {
+double potential_energy(const NearField& law, const D& domain, const At<>& at) {
   const Eigen::VectorXd charge = charges(law, at);
   double sum = 0.0;
   for (Eigen::Index i = 0; i < at.mass.size(); ++i) {
@@ -163,4 +153,4 @@ double potential_energy(const NearField& law, const D& domain, const Places& at)
   return sum;
 }
 
-}  // namespace particulate::contact
+}  // namespace particulate::laws

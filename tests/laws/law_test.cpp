@@ -1,17 +1,17 @@
-#include <particulate/contact/law.hpp>
+#include <particulate/laws/law.hpp>
 
 #include "close.hpp"
 
 namespace tests::law_test {
 
-using particulate::contact::Conservative;
-using particulate::contact::Forces;
+using particulate::laws::Conservative;
+using particulate::laws::Forces;
 using particulate::contact::MotionForce;
-using particulate::contact::Moving;
-using particulate::contact::Places;
+using particulate::laws::At<laws::Velocity>;
+using particulate::laws::At<>;
 using particulate::contact::PositionForce;
-using particulate::contact::Validated;
-using particulate::kinematics::Open;
+using particulate::laws::Validated;
+using particulate::kinematics::Space;
 using particulate::kinematics::Vectors;
 
 // A uniform field.

@@ -1,4 +1,4 @@
-#include <particulate/scenes/gravity.hpp>
+#include <particulate/laws/gravity.hpp>
 
 #include <limits>
 #include <stdexcept>
@@ -9,17 +9,17 @@
 
 namespace tests::gravity_test {
 
-using particulate::contact::Conservative;
+using particulate::laws::Conservative;
 using particulate::contact::PositionForce;
-using particulate::kinematics::Open;
+using particulate::kinematics::Space;
 using particulate::kinematics::Particles;
 using particulate::kinematics::Vectors;
-using particulate::kinematics::Walled;
-using particulate::scenes::Gravity;
+using particulate::kinematics::Space;
+using particulate::laws::Gravity;
 using particulate::scenes::Scene;
 using particulate::scenes::start;
 using particulate::scenes::validate;
-using particulate::schemes::Motion;
+using particulate::schemes::State;
 
 static_assert(PositionForce<Gravity, Open> && Conservative<Gravity, Open>);
 static_assert(PositionForce<Gravity, Walled> && Conservative<Gravity, Walled>);

@@ -1,10 +1,10 @@
-#include <particulate/scenes/gravity.hpp>
+#include <particulate/laws/gravity.hpp>
 
 #include <stdexcept>
 
 #include <fmt/format.h>
 
-namespace particulate::scenes {
+namespace particulate::laws {
 
 void validate(const Gravity& law) {
   if (!law.g.allFinite()) {
@@ -13,4 +13,4 @@ void validate(const Gravity& law) {
   }
 }
 
-}  // namespace particulate::scenes
+}  // namespace particulate::laws

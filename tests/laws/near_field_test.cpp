@@ -1,4 +1,4 @@
-#include <particulate/contact/near_field.hpp>
+#include <particulate/laws/near_field.hpp>
 
 #include <array>
 #include <cmath>
@@ -16,21 +16,21 @@
 namespace tests::near_field_test {
 
 using boost::test_tools::tolerance;
-using particulate::contact::best_kernel;
-using particulate::contact::charges;
-using particulate::contact::Forces;
-using particulate::contact::is_available;
-using particulate::contact::is_full;
-using particulate::contact::Kernel;
+using particulate::laws::best_kernel;
+using particulate::laws::charges;
+using particulate::laws::Forces;
+using particulate::laws::is_available;
+using particulate::laws::is_full;
+using particulate::laws::Kernel;
 using particulate::contact::name;
-using particulate::contact::NearField;
-using particulate::contact::pair_law;
-using particulate::contact::Places;
-using particulate::contact::Scaling;
+using particulate::laws::NearField;
+using particulate::laws::pair_law;
+using particulate::laws::At<>;
+using particulate::laws::Scaling;
 using particulate::contact::validate;
 using particulate::kinematics::CentralForce;
 using particulate::kinematics::moment;
-using particulate::kinematics::Open;
+using particulate::kinematics::Space;
 using particulate::kinematics::Vectors;
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();

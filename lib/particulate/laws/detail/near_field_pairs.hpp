@@ -15,9 +15,9 @@
 #include <immintrin.h>
 #endif
 
-#include <particulate/contact/detail/near_field_kernels.hpp>
+#include <particulate/laws/detail/near_field_kernels.hpp>
 
-namespace particulate::contact::detail {
+namespace particulate::laws::detail {
 namespace {
 
 #if defined(__AVX512F__)
@@ -273,4 +273,4 @@ bool add_pairs(const PairForce& law, const Columns& c, std::int64_t N) {
 }
 
 }  // namespace
-}  // namespace particulate::contact::detail
+}  // namespace particulate::laws::detail

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <particulate/contact/law.hpp>
 #include <particulate/kinematics/domain.hpp>
+#include <particulate/laws/law.hpp>
 
-namespace particulate::scenes {
+namespace particulate::laws {
 
 /// Uniform gravity.
 ///
@@ -28,7 +28,7 @@ void validate(const Gravity& law);
 /// @param force  receives the forces, added to what it holds [N]
 /// @return true
 template <kinematics::Domain D>
-bool add_force(const Gravity& law, const D&, const contact::Places& at, contact::Forces force) {
+bool add_force(const Gravity& law, const D&, const At<>& at, Forces force) {
   // Column by column: the outer product would ask for memory at every step.
   for (Eigen::Index axis = 0; axis < 3; ++axis) force.col(axis) += law.g[axis] * at.mass;
   return true;
@@ -41,8 +41,8 @@ bool add_force(const Gravity& law, const D&, const contact::Places& at, contact:
 /// @param at   the particles
 /// @return energy [J]
 template <kinematics::Domain D>
-double potential_energy(const Gravity& law, const D&, const contact::Places& at) {
+double potential_energy(const Gravity& law, const D&, const At<>& at) {
   return -at.mass.dot(at.position * law.g);
 }
 
-}  // namespace particulate::scenes
+}  // namespace particulate::laws

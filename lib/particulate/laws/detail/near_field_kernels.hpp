@@ -6,14 +6,14 @@
 // instructions that not every processor has. So neither header includes anything that could leave a shared inline
 // function behind: the linker would keep one copy of it for the whole program, perhaps the one with those instructions.
 
-namespace particulate::contact::detail {
+namespace particulate::laws::detail {
 
 // Strengths and exponents of attraction and repulsion, before charges.
 struct PairForce {
   double alpha1, alpha2, beta1, beta2;
 };
 
-// Places and charges of N particles, and where their forces go: a particle's action is the force that the particles
+// At<> and charges of N particles, and where their forces go: a particle's action is the force that the particles
 // behind it exert on it, its reactions are those to what the particles in front of it feel. They may be one column.
 struct Columns {
   const double *x, *y, *z, *charge;
@@ -35,4 +35,4 @@ extern const AddPairs add_pairs_baseline;
 extern const AddPairs add_pairs_avx2;
 extern const AddPairs add_pairs_avx512;
 
-}  // namespace particulate::contact::detail
+}  // namespace particulate::laws::detail

@@ -1,0 +1,62 @@
+#include <particulate/contact/contact.hpp>
+
+#include <limits>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+namespace particulate::contact {
+
+void validate(Resolution resolution) {
+  if (resolution != Resolution::summed && resolution != Resolution::sequential) {
+    throw std::invalid_argument(
+        fmt::format("contact: resolution must be summed or sequential, got number {}", static_cast<int>(resolution)));
+  }
+}
+
+void validate_gamma(double gamma) {
+  if (!(gamma > 0.0 && gamma < 1.0)) {
+    throw std::invalid_argument(fmt::format("contact: gamma must lie between 0 and 1, got {}", gamma));
+  }
+}
+
+double ClosedGap::between(const kinematics::VectorsIn& position, const Eigen::VectorXd& radius, Eigen::Index i,
+                          Eigen::Index j) const {
+  double reach = radius[i], size = position.row(i).norm();
+  if (j >= 0) reach += radius[j], size += position.row(j).norm();
+  return relative * reach + roundings * std::numeric_limits<double>::epsilon() * size;
+}
+
+template Touching find_touching<kinematics::Space>(const kinematics::Space&, const laws::At<laws::Velocity>&,
+                                                   const ClosedGap&);
+
+double approach_speed(const Touch& touch, const kinematics::VectorsIn& velocity) {
+  Eigen::Vector3d approach = velocity.row(touch.i);
+  if (touch.j >= 0) approach -= velocity.row(touch.j).transpose();
+  return approach.dot(touch.n);
+}
+
+bool any_approach(const Touching& touching, const laws::At<laws::Velocity>& at) {
+  return !touching.directed || std::any_of(touching.contacts.begin(), touching.contacts.end(), [&](const Touch& touch) {
+    return approach_speed(touch, at.velocity) > 0.0;
+  });
+}
+
+std::string without_direction(const Touching& touching) {
+  const auto lost = std::find_if(touching.contacts.begin(), touching.contacts.end(),
+                                 [](const Touch& touch) { return !touch.n.allFinite(); });
+  return fmt::format(
+      "particles {} and {} touch with the same centre, so there is no direction to part them in: start them apart, or "
+      "take a smaller step",
+      lost->i, lost->j);
+}
+
+void set_accelerations(Touching& touching, const Eigen::VectorXd& inverse_mass, schemes::In force) {
+  const Eigen::Map<const kinematics::Vectors> f(force.data(), inverse_mass.size(), 3);
+  for (Touch& touch : touching.contacts) {
+    touch.acceleration = inverse_mass[touch.i] * f.row(touch.i).transpose();
+    if (touch.j >= 0) touch.acceleration -= inverse_mass[touch.j] * f.row(touch.j).transpose();
+  }
+}
+
+}  // namespace particulate::contact

@@ -1,0 +1,15 @@
+// The near field's kernel for processors with AVX2 and FMA, where the compiler is allowed to use it.
+
+#if defined(__AVX2__) && defined(__FMA__)
+
+#include <particulate/laws/detail/near_field_pairs.hpp>
+
+const particulate::laws::detail::AddPairs particulate::laws::detail::add_pairs_avx2 = add_pairs;
+
+#else
+
+#include <particulate/laws/detail/near_field_kernels.hpp>
+
+const particulate::laws::detail::AddPairs particulate::laws::detail::add_pairs_avx2 = nullptr;
+
+#endif

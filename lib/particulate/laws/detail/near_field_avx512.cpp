@@ -1,0 +1,15 @@
+// The near field's kernel for processors with AVX-512, where the compiler is allowed to use it.
+
+#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__) && defined(__FMA__)
+
+#include <particulate/laws/detail/near_field_pairs.hpp>
+
+const particulate::laws::detail::AddPairs particulate::laws::detail::add_pairs_avx512 = add_pairs;
+
+#else
+
+#include <particulate/laws/detail/near_field_kernels.hpp>
+
+const particulate::laws::detail::AddPairs particulate::laws::detail::add_pairs_avx512 = nullptr;
+
+#endif
