@@ -291,7 +291,8 @@ compile() {
   cmake --build "$folder/build" --parallel "$jobs" --target "${@//\//.}" >"$folder/compile.log" 2>&1
 }
 
-# prove <source of cases, or one case of it>: its quick run; afterwards `red` holds the names of the cases that failed, and `failed` the rows.
+# prove <source, or one case of it>: its quick run; afterwards `red` holds the names of the cases that failed, and `failed`
+# the rows.
 longest=300
 prove() {
   local status=0 log=$folder/run.log end program=${1%%:*} one=()
