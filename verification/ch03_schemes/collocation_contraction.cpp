@@ -69,7 +69,7 @@ Square weights_twice(int s) {
       }
     }
   }
-  return A * A;
+  return A.lazyProduct(A);
 }
 
 // The limit of |M^n|^(1/n), by squaring: after 50 of them what the norm is does not matter.
@@ -79,7 +79,7 @@ double spectral_radius(Square matrix) {
     const long double size = matrix.cwiseAbs().maxCoeff();
     logarithm += share_of * std::log(size);
     matrix /= size;
-    matrix = (matrix * matrix).eval();
+    matrix = matrix.lazyProduct(matrix).eval();
     share_of /= 2.0L;
   }
   return static_cast<double>(std::exp(logarithm));

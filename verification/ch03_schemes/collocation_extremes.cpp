@@ -5,11 +5,12 @@
 #include <string>
 
 #include <fmt/format.h>
-#include <Eigen/LU>
+#include <Eigen/Core>
 
 #include <ch01_fundamentals/motions.hpp>
 #include <ch01_fundamentals/starts.hpp>
 #include <harness/case.hpp>
+#include <harness/linear_algebra.hpp>
 #include <particulate/schemes/collocation.hpp>
 #include <particulate/schemes/error_control.hpp>
 
@@ -103,12 +104,10 @@ void compare_missing_values(Rows& rows) {
 template <class Nodes>
 std::complex<double> stability(double x) {
   const CollocationTable<Nodes>& table = CollocationTable<Nodes>::get();
-  using Matrix = Eigen::Matrix<std::complex<double>, Nodes::stages, Nodes::stages>;
   const std::complex<double> z(0.0, x);
-  const Matrix I = Matrix::Identity();
-  const Matrix zA = z * table.A.template cast<std::complex<double>>();
-  const Matrix ones_b = z * Matrix::Ones() * Matrix(table.b.template cast<std::complex<double>>().asDiagonal());
-  return (I - zA + ones_b).determinant() / (I - zA).determinant();
+  const Eigen::MatrixXcd system = Eigen::MatrixXcd::Identity(Nodes::stages, Nodes::stages) - z * table.A;
+  const Eigen::MatrixXcd ones_b = z * table.b.transpose().template replicate<Nodes::stages, 1>();
+  return determinant(system + ones_b) / determinant(system);
 }
 
 constexpr double omega = 8.0, x = 1e3;

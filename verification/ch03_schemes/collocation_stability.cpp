@@ -6,9 +6,10 @@
 #include <string>
 
 #include <fmt/format.h>
-#include <Eigen/LU>
+#include <Eigen/Core>
 
 #include <harness/case.hpp>
+#include <harness/linear_algebra.hpp>
 #include <particulate/schemes/collocation.hpp>
 
 #include "linear_problems.hpp"
@@ -62,7 +63,7 @@ double rounding(Complex z) {
   const CollocationCoefficients of = collocation_coefficients(Nodes::nodes());
   const Eigen::MatrixXcd system = Eigen::MatrixXcd::Identity(Nodes::stages, Nodes::stages) - z * of.A;
   const Eigen::VectorXcd terms =
-      of.b.cast<Complex>().cwiseProduct(system.partialPivLu().solve(Eigen::VectorXcd::Constant(Nodes::stages, z)));
+      of.b.cast<Complex>().cwiseProduct(solve(system, Eigen::VectorXcd::Constant(Nodes::stages, z)));
   return eps * (1.0 + terms.cwiseAbs().sum());
 }
 

@@ -5,11 +5,11 @@
 #include <string>
 
 #include <fmt/format.h>
-#include <Eigen/Eigenvalues>
 #include <Eigen/SparseCore>
 
 #include <ch01_fundamentals/motions.hpp>
 #include <harness/case.hpp>
+#include <harness/linear_algebra.hpp>
 #include <particulate/schemes/collocation.hpp>
 #include <particulate/schemes/sparse_stages.hpp>
 
@@ -74,12 +74,12 @@ struct MistakenChain : Chain {
 
 // The slowest modes of the chain, of amplitudes 1, 1/2 and 1/3, all at their farthest at the start.
 Motion exact(double t) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(-stiffness());
+  const Modes modes = symmetric_modes(-stiffness());
   Motion at{.t = t, .r = Eigen::VectorXd::Zero(masses), .v = Eigen::VectorXd::Zero(masses)};
   for (Eigen::Index m = 0; m < 3; ++m) {
-    const double omega = std::sqrt(modes.eigenvalues()[m]), amplitude = 1.0 / static_cast<double>(m + 1);
-    at.r += amplitude * std::cos(omega * t) * modes.eigenvectors().col(m);
-    at.v -= amplitude * omega * std::sin(omega * t) * modes.eigenvectors().col(m);
+    const double omega = std::sqrt(modes.values[m]), amplitude = 1.0 / static_cast<double>(m + 1);
+    at.r += amplitude * std::cos(omega * t) * modes.vectors.col(m);
+    at.v -= amplitude * omega * std::sin(omega * t) * modes.vectors.col(m);
   }
   return at;
 }
