@@ -147,6 +147,11 @@ Outcome run(const Task& task);
 
 template <class P, class S, class C, class Observer>
 Outcome integrate(P& problem, State& state, double t_end, S& scheme, C& control, Watch* watch, Observer& observer) {
+  static_assert(Advances<S, P>,
+                "this scheme cannot advance all that the problem has: see advances() of the scheme, traits_of() of the "
+                "problem");
+  static_assert(Dense<S> || !LocatesJumps<P>,
+                "events and located jumps need a scheme with dense output, at(from, dt, theta, there)");
   validate(control);
   auto observe = [&](const State& from, const State& to, double dt) -> bool {
     return observer(from, to, dt, std::as_const(scheme));
