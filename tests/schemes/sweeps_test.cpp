@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include <particulate/schemes/coupled_pair.hpp>
 #include <particulate/schemes/phi_family.hpp>
 #include <particulate/schemes/staggering.hpp>
 
@@ -10,6 +11,7 @@
 namespace tests::sweeps_test {
 
 using particulate::schemes::BackwardEuler;
+using particulate::schemes::FirstOrderPair;
 using particulate::schemes::In;
 using particulate::schemes::Out;
 using particulate::schemes::PhiFamily;
@@ -45,6 +47,20 @@ BOOST_AUTO_TEST_CASE(keeps_the_guess_and_every_sweep) {
   BOOST_REQUIRE(seen.iterations.size() == 3u);
   for (int k = 0; k < 3; ++k) BOOST_TEST(seen.iterations[static_cast<std::size_t>(k)].K == k);
   BOOST_TEST(seen.iterations[2].rate == 0.5);
+  BOOST_REQUIRE(seen.parts.size() == 3u);
+  BOOST_TEST(seen.parts[2].empty());
+}
+
+// Field by field, in the order of the scheme.
+BOOST_AUTO_TEST_CASE(keeps_what_every_part_of_the_state_did) {
+  const FirstOrderPair pair{.a = Eigen::Matrix2d{{1.0, 2.0}, {4.0, 3.0}}};
+  const Staggered scheme({{.name = "one"}, {.name = "two"}});
+  const Sweeps seen = sweep_by_hand(scheme, pair, {.y = Eigen::Vector2d(5.0, 2.0)}, 0.25, 2);
+  BOOST_REQUIRE(seen.parts.size() == 2u);
+  BOOST_REQUIRE(seen.parts[1].size() == 2u);
+  BOOST_TEST(seen.parts[1][0].field == "one");
+  BOOST_TEST(seen.parts[1][1].field == "two");
+  BOOST_TEST(seen.parts[1][1].K == 1);
 }
 
 BOOST_AUTO_TEST_CASE(makes_no_sweep_where_none_is_asked_for) {

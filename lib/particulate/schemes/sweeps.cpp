@@ -22,6 +22,8 @@ Sweeps detail::sweep_by_hand(void* scheme, const SchemeTable& can, const Problem
   for (int k = 0; k < count; ++k) {
     seen.iterations.push_back(can.sweep(scheme, problem, from, dt, to));
     seen.iterates.push_back(to);
+    const std::span<const Iteration> parts = can.iterations ? can.iterations(scheme) : std::span<const Iteration>();
+    seen.parts.emplace_back(parts.begin(), parts.end());
   }
   return seen;
 }

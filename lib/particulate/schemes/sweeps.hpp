@@ -8,8 +8,9 @@ namespace particulate::schemes {
 
 /// What the sweeps of one step did.
 struct Sweeps {
-  std::vector<State> iterates;        ///< the first guess, then the result of every sweep
-  std::vector<Iteration> iterations;  ///< as the scheme reported it after every sweep
+  std::vector<State> iterates;                ///< the first guess, then the result of every sweep
+  std::vector<Iteration> iterations;          ///< as the scheme reported it after every sweep
+  std::vector<std::vector<Iteration>> parts;  ///< of every part of the state, likewise; empty where there is one alone
 };
 
 namespace detail {
