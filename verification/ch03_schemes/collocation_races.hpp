@@ -13,25 +13,12 @@
 #include "classical_problems.hpp"
 
 /// @file
-/// The collocation family as a competitor. A problem's type is erased, as it is for SUNDIALS: each method is compiled
-/// once, whatever it solves and whether that is recorded or replayed.
+/// The collocation family as a competitor.
 
 namespace verification {
 
-/// Forces that depend on positions only, with the problem's type erased.
-struct AnyMotion {
-  std::function<bool(double, schemes::In, schemes::Out)> answer;  ///< the acceleration
-  std::function<double(schemes::In, schemes::In)> measure;        ///< the distance of two sets of positions
-
-  /// Forwards. @see particulate::schemes::PositionProblem
-  bool acceleration(double t, schemes::In r, schemes::Out a) const { return answer(t, r, a); }
-  /// Forwards. @see particulate::schemes::Measures
-  double distance(schemes::In x, schemes::In y) const { return measure(x, y); }
-};
-
 /// A run that has begun: `advance(state, t_end)`.
-template <class State>
-using Advance = std::function<schemes::Outcome(State&, double)>;
+using Advance = std::function<schemes::Outcome(schemes::State&, double)>;
 
 /// Begins a run of Gauss collocation with sweeps through the stages in turn.
 ///
@@ -41,11 +28,11 @@ using Advance = std::function<schemes::Outcome(State&, double)>;
 /// @param control   of its steps
 /// @return the run
 /// @throws std::invalid_argument for another number of stages
-Advance<schemes::State> gauss(int stages, AnyMotion problem, const schemes::CollocationSettings& settings,
-                               const schemes::FixedSweeps& control);
-/// @copydoc gauss(int, AnyMotion, const schemes::CollocationSettings&, const schemes::FixedSweeps&)
-Advance<schemes::State> gauss(int stages, AnyMotion problem, const schemes::CollocationSettings& settings,
-                               const schemes::ErrorControl& control);
+Advance gauss(int stages, const schemes::Problem& problem, const schemes::CollocationSettings& settings,
+              const schemes::FixedSweeps& control);
+/// @copydoc gauss(int, const schemes::Problem&, const schemes::CollocationSettings&, const schemes::FixedSweeps&)
+Advance gauss(int stages, const schemes::Problem& problem, const schemes::CollocationSettings& settings,
+              const schemes::ErrorControl& control);
 
 /// Begins a run of Radau IIA collocation with Newton's method and dense matrices.
 ///
@@ -55,22 +42,15 @@ Advance<schemes::State> gauss(int stages, AnyMotion problem, const schemes::Coll
 /// @param control   of its steps
 /// @return the run
 /// @throws std::invalid_argument for another number of stages
-Advance<schemes::State> radau(int stages, AnyValues problem, const schemes::CollocationSettings& settings,
-                               const schemes::ErrorControl& control);
-
-/// @param problem  forces that depend on positions only; must outlive what is returned @return it without its type
-template <schemes::PositionProblem P>
-AnyMotion any_motion(P& problem) {
-  return {.answer = [&problem](double t, schemes::In r, schemes::Out a) { return problem.acceleration(t, r, a); },
-          .measure = [&problem](schemes::In x, schemes::In y) { return schemes::distance(problem, x, y); }};
-}
+Advance radau(int stages, const schemes::Problem& problem, const schemes::CollocationSettings& settings,
+              const schemes::ErrorControl& control);
 
 /// Gauss collocation at fixed steps, each with so many sweeps, for competitor().
 ///
 /// @param stages  4 or 8 @param sweeps of each step @return begin(problem, start, step)
 inline auto gauss_at_fixed_step(int stages, int sweeps) {
-  return [=](auto& problem, const schemes::State&, double step) {
-    return gauss(stages, any_motion(problem), {}, schemes::FixedSweeps{.step = step, .sweeps = sweeps});
+  return [=](const schemes::Problem& problem, const schemes::State&, double step) {
+    return gauss(stages, problem, {}, schemes::FixedSweeps{.step = step, .sweeps = sweeps});
   };
 }
 
@@ -90,8 +70,8 @@ template <class P>
 auto gauss_under_control(const Choice& choice, const Race<P>& race) {
   const schemes::CollocationSettings settings{.size = race.length, .speed = race.speed, .sizes = {}};
   const double T = race.outputs.back();
-  return [=](auto& problem, const schemes::State&, double tolerance) {
-    return gauss(choice.stages, any_motion(problem), settings,
+  return [=](const schemes::Problem& problem, const schemes::State&, double tolerance) {
+    return gauss(choice.stages, problem, settings,
                  schemes::ErrorControl{.TOL = tolerance,
                                        .sweep_TOL = std::max(choice.share * tolerance, 2.3e-16),
                                        .step = choice.first * T,

@@ -31,10 +31,10 @@ struct Stiff {
 // costs s/2 decompositions. Sweeps to a hundredth of the step's tolerance: what they leave would pass for truncation.
 template <class P>
 auto radau_under_control(int stages, const Stiff& of) {
-  return [stages, sizes = of.sizes](auto& problem, const schemes::State&, double tolerance) {
+  return [stages, sizes = of.sizes](const schemes::Problem& problem, const schemes::State&, double tolerance) {
     schemes::CollocationSettings settings;
     settings.sizes = sizes;
-    return radau(stages, any_values(problem), settings,
+    return radau(stages, problem, settings,
                  schemes::ErrorControl{.TOL = tolerance,
                                        .sweep_TOL = std::max(0.1 * tolerance, 2.3e-16),
                                        .K_d = 3,
