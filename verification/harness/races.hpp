@@ -1,20 +1,14 @@
 #pragma once
 
-#include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <harness/competitors.hpp>
 #include <harness/near_field_cloud.hpp>
-#include <particulate/laws/near_field.hpp>
 #include <particulate/kinematics/breathing.hpp>
-#include <particulate/reference/integrator.hpp>
-#include <particulate/scenes/scene.hpp>
+#include <particulate/reference/method.hpp>
 #include <particulate/schemes/fixed_step.hpp>
-#include <particulate/schemes/integrate.hpp>
 #include <particulate/schemes/phi_control.hpp>
 
 /// @file
@@ -31,47 +25,19 @@ namespace verification {
 /// @param alpha2   repulsion [N m^3]
 /// @param r_0      R at the start [m]
 /// @return the race, its truth in closed form
-inline Race<NearFieldScene> breathing_race(const particulate::kinematics::Vectors& corners,
-                                           const particulate::kinematics::RadialForce& radial, double alpha2,
-                                           double r_0) {
-  using namespace particulate;
-  const Eigen::Index N = corners.rows();
-  const kinematics::Breathing exact(radial, r_0);
-  const kinematics::Particles start{.position = r_0 * corners,
-                                    .velocity = kinematics::Vectors::Zero(N, 3),
-                                    .mass = Eigen::VectorXd::Ones(N),
-                                    .radius = Eigen::VectorXd::Zero(N)};
-  const NearFieldScene scene{start, kinematics::Space{},
-                             laws::NearField{.alpha1 = 1.0, .alpha2 = alpha2, .beta1 = 2.0, .beta2 = 3.0}};
-  Race<NearFieldScene> race{.problem = scene, .start = scenes::start(scene), .outputs = {}, .truth = {}};
-  for (int tenth = 1; tenth <= 9; ++tenth) race.outputs.push_back(tenth * exact.period() / 10.0);
-  race.truth = [corners, exact](double t) {
-    const kinematics::Radial now = exact.at(t);
-    return schemes::State{.t = t, .r = (now.r * corners).reshaped(), .v = (now.v * corners).reshaped()};
-  };
-  // |dr/dt| is largest where A/r^2 = B/r^3: v^2 = A^2/B - 2 A/r_0 + B/r_0^2.
-  const double fastest = std::sqrt(radial.A * radial.A / radial.B - 2.0 * radial.A / r_0 + radial.B / (r_0 * r_0));
-  race.length = r_0 * corners.rowwise().norm().maxCoeff();
-  race.speed = fastest * corners.rowwise().norm().maxCoeff();
-  return race;
-}
+Race breathing_race(const particulate::kinematics::Vectors& corners, const particulate::kinematics::RadialForce& radial,
+                    double alpha2, double r_0);
 
 /// The breathing pair, released 1 m apart. @param alpha2 repulsion: the smaller, the stiffer [N m^3] @return the race
-inline Race<NearFieldScene> breathing_pair_race(double alpha2) {
-  const particulate::kinematics::Vectors halves{{-0.5, 0.0, 0.0}, {0.5, 0.0, 0.0}};
-  return breathing_race(halves, particulate::kinematics::breathing_pair(1.0, alpha2, 1.0, 1.0), alpha2, 1.0);
-}
+Race breathing_pair_race(double alpha2);
 
 /// The breathing pentagon, alpha2 = 0.5. @return the race
-inline Race<NearFieldScene> pentagon_race() {
-  const particulate::kinematics::Vectors corners = particulate::kinematics::regular_polygon(5);
-  return breathing_race(corners, particulate::kinematics::breathing_body(1.0, 0.5, 1.0, corners), 0.5, 1.0);
-}
+Race pentagon_race();
 
 /// A race without a closed form.
 struct JudgedRace {
-  Race<NearFieldScene> race;  ///< its truth is known at the output times only
-  double floor;               ///< by how much the two references disagree, in the measure of the race [-]
+  Race race;     ///< its truth is known at the output times only
+  double floor;  ///< by how much the two references disagree, in the measure of the race [-]
 };
 
 /// A race whose truth is ARKODE's, Fehlberg 8(7), and whose floor is its distance from CVODE's, Adams: two families at
@@ -82,35 +48,7 @@ struct JudgedRace {
 /// @param legs   outputs at equal intervals, >= 1
 /// @return the race and its floor
 /// @throws std::runtime_error if a reference does not get there
-inline JudgedRace judged_race(const NearFieldScene& scene, double t_end, int legs) {
-  using namespace particulate;
-  JudgedRace judged{.race = {.problem = scene, .start = scenes::start(scene), .outputs = {}, .truth = {}}, .floor = {}};
-  Race<NearFieldScene>& race = judged.race;
-  for (int leg = 1; leg <= legs; ++leg) race.outputs.push_back(t_end * leg / legs);
-  const auto handed_by = [&](const reference::Method& method) {
-    std::vector<schemes::State> states;
-    schemes::State state = race.start;
-    reference::Integrator integrator(scene, race.start, method);
-    for (const double t : race.outputs) {
-      const schemes::Outcome out = integrator.advance(state, t);
-      if (out.status != schemes::Status::reached) throw std::runtime_error("a reference failed: " + out.reason);
-      states.push_back(state);
-    }
-    return states;
-  };
-  const std::vector<schemes::State> truth = handed_by(
-      reference::ExplicitRungeKutta{.table = reference::Table::fehlberg_13_7_8, .relative = 1e-15, .absolute = 1e-15});
-  race.length = race.start.r.lpNorm<Eigen::Infinity>();
-  race.speed = 0.0;
-  for (const schemes::State& at : truth) race.speed = std::max(race.speed, at.v.lpNorm<Eigen::Infinity>());
-  race.truth = [truth](double t) {
-    return *std::find_if(truth.begin(), truth.end(), [t](const schemes::State& at) { return at.t >= t; });
-  };
-  detail::Lane<NearFieldScene> other(race);
-  other.handed = handed_by(reference::Adams{.relative = 1e-15, .absolute = 1e-15});
-  judged.floor = other.errors().max;
-  return judged;
-}
+JudgedRace judged_race(const NearFieldScene& scene, double t_end, int legs);
 
 /// The error of a closed form that was evaluated in extended precision, rounded to doubles.
 inline constexpr double rounding_floor = 2e-16;
@@ -128,44 +66,21 @@ struct Steps {
 /// @param steps     how many in a leg
 /// @param multiple  that many times more: for methods that need fewer evaluations a step, or smaller steps
 /// @return step sizes, falling, no two alike [s]
-inline std::vector<double> step_sizes(double leg, const Steps& steps, int multiple = 1) {
-  std::vector<double> sizes;
-  for (int k = 0; k <= steps.times; ++k) {
-    sizes.push_back(leg / std::round(multiple * steps.first * std::pow(steps.factor, k)));
-  }
-  sizes.erase(std::unique(sizes.begin(), sizes.end()), sizes.end());
-  return sizes;
-}
+std::vector<double> step_sizes(double leg, const Steps& steps, int multiple = 1);
 
 /// What the references are asked for.
 ///
 /// @param tightest  the last, at most the loosest [-]
 /// @param loosest   the first [-]
 /// @return two tolerances a decade
-inline std::vector<double> tolerances(double tightest, double loosest = 1e-4) {
-  std::vector<double> all;
-  for (double exponent = std::log10(loosest); exponent >= std::log10(tightest) - 1e-9; exponent -= 0.5) {
-    all.push_back(std::pow(10.0, exponent));
-  }
-  return all;
-}
+std::vector<double> tolerances(double tightest, double loosest = 1e-4);
 
 /// A reference method whose setting is its relative tolerance, for competitor().
 ///
-/// @param settings        of the method, but for its tolerances
+/// @param method          with its settings, but for its tolerances
 /// @param absolute_share  absolute over relative tolerance, in the units of the problem
 /// @return begin(problem, start, tolerance)
-template <class Settings>
-auto by(Settings settings, double absolute_share = 1.0) {
-  return [=](auto& problem, const auto& start, double tolerance) {
-    Settings now = settings;
-    now.relative = tolerance;
-    now.absolute = absolute_share * tolerance;
-    return [integrator = particulate::reference::Integrator(problem, start, now)](auto& state, double t_end) mutable {
-      return integrator.advance(state, t_end);
-    };
-  };
-}
+Begin by(const particulate::reference::Method& method, double absolute_share = 1.0);
 
 /// The tolerance on the sweeps of the phi family that keeps the error of the iteration at a share of the step's own.
 ///
@@ -192,13 +107,9 @@ struct SweepTolerance {
 /// @param TOL     on the sweeps, from Dt_lim
 /// @return begin(problem, start, limit)
 template <class Scheme>
-auto under_phi_control(Scheme scheme, SweepTolerance TOL) {
-  return [=](auto& problem, const schemes::State&, double limit) {
-    return [&problem, scheme, control = schemes::PhiControl{.TOL = TOL(limit), .step = limit, .limit = limit}](
-               schemes::State& state, double t_end) mutable {
-      return schemes::integrate(problem, state, t_end, scheme, control);
-    };
-  };
+Begin under_phi_control(Scheme scheme, SweepTolerance TOL) {
+  return under(scheme,
+               [TOL](double limit) { return schemes::PhiControl{.TOL = TOL(limit), .step = limit, .limit = limit}; });
 }
 
 /// The phi family at fixed steps, for competitor().
@@ -207,13 +118,8 @@ auto under_phi_control(Scheme scheme, SweepTolerance TOL) {
 /// @param TOL     on the sweeps, from the step
 /// @return begin(problem, start, step)
 template <class Scheme>
-auto sweeping_at_fixed_step(Scheme scheme, SweepTolerance TOL) {
-  return [=](auto& problem, const schemes::State&, double step) {
-    return [&problem, scheme, control = schemes::FixedStep{.step = step, .TOL = TOL(step)}](schemes::State& state,
-                                                                                            double t_end) mutable {
-      return schemes::integrate(problem, state, t_end, scheme, control);
-    };
-  };
+Begin sweeping_at_fixed_step(Scheme scheme, SweepTolerance TOL) {
+  return under(scheme, [TOL](double step) { return schemes::FixedStep{.step = step, .TOL = TOL(step)}; });
 }
 
 /// Fixes a slope that is to be fitted.
@@ -222,11 +128,7 @@ auto sweeping_at_fixed_step(Scheme scheme, SweepTolerance TOL) {
 /// @param who      a competitor at fixed steps
 /// @param steeper  why errors may fall faster; empty: they may not
 /// @return the competitor with a slope to be fitted
-inline Competitor with_slope(double slope, Competitor who, std::string steeper = {}) {
-  who.slope = slope;
-  who.steeper = std::move(steeper);
-  return who;
-}
+Competitor with_slope(double slope, Competitor who, std::string steeper = {});
 
 /// Why RK4 may be steeper where bodies turn once, at the middle of the motion.
 inline constexpr const char* symmetric_turn =
@@ -236,9 +138,6 @@ inline constexpr const char* symmetric_turn =
 ///
 /// @param who  a competitor
 /// @return the same, drawn apart from those with a method's defaults
-inline Competitor tuned(Competitor who) {
-  who.tuned = true;
-  return who;
-}
+Competitor tuned(Competitor who);
 
 }  // namespace verification
