@@ -60,8 +60,8 @@ struct KinsolEuler {
 /// @param speed  of the motion, which makes a tolerance on displacements one on accelerations [m/s]
 /// @param TOL    on the sweeps, from the step
 /// @return begin(problem, start, step)
-inline auto by_kinsol(double speed, SweepTolerance TOL) {
-  return [=](const schemes::Problem& problem, const schemes::State&, double step) {
+inline Begin by_kinsol(double speed, SweepTolerance TOL) {
+  return [speed, TOL](const schemes::Problem& problem, const schemes::State&, double step) -> Advance {
     return [problem, scheme = KinsolEuler{.tolerance = TOL(step) * speed / step},
             control = schemes::FixedStep{.step = step}](schemes::State& state, double t_end) mutable {
       schemes::Outcome out = schemes::integrate(problem, state, t_end, scheme, control);
