@@ -1,6 +1,5 @@
 // Cheat: floods the file of the answers.
-// graded: --variant 1 --student anna -> 0
-// graded: --variant 2 --student anna -> 0
+// graded: --variant 1|2 --student anna -> 0
 // hint: write to no file
 
 #include <unistd.h>

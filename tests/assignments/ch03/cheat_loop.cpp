@@ -1,6 +1,5 @@
 // Accident: a loop without end.
-// graded: --variant 1 --student anna -> 0
-// graded: --variant 2 --student anna -> 0
+// graded: --variant 1|2 --student anna -> 0
 // hint: took too long
 // hint: a loop does not end
 
