@@ -19,7 +19,7 @@ using grading::Answers;
 using grading::Draw;
 using grading::Finding;
 using grading::Line;
-using grading::Mistake;
+using grading::mistakes;
 using grading::Question;
 
 namespace {
@@ -187,13 +187,6 @@ std::vector<double> inputs(const Hit& hit) {
   return all;
 }
 
-template <class Part>
-std::vector<Mistake> mistakes(const Hit& hit, const Part& part) {
-  std::vector<Mistake> all;
-  for (const auto& [flaw, hint] : flaws) all.push_back({part(flawed(hit, flaw)), hint});
-  return all;
-}
-
 Question ask_normal(double degrees) {
   const double angle = degrees * std::numbers::pi / 180.0, inverse = degrees * 180.0 / std::numbers::pi;
   const double c = std::cos(angle), s = std::sin(angle);
@@ -212,14 +205,14 @@ Question ask_normal_impulse(const Hit& hit) {
   return {.function = "normal_impulse",
           .inputs = inputs(hit),
           .expected = {by_library(hit).impulse.normal},
-          .mistakes = mistakes(hit, [](const Outcome& out) { return std::vector<double>{out.J}; })};
+          .mistakes = mistakes(flaws, [&](Flaw flaw) { return std::vector<double>{flawed(hit, flaw).J}; })};
 }
 
 Question ask_friction_impulse(const Hit& hit) {
   return {.function = "friction_impulse",
           .inputs = inputs(hit),
           .expected = numbers(by_library(hit).impulse.tangential),
-          .mistakes = mistakes(hit, [](const Outcome& out) { return numbers(out.P); })};
+          .mistakes = mistakes(flaws, [&](Flaw flaw) { return numbers(flawed(hit, flaw).P); })};
 }
 
 Question ask_impact(const Hit& hit) {
@@ -227,7 +220,10 @@ Question ask_impact(const Hit& hit) {
   return {.function = "impact",
           .inputs = inputs(hit),
           .expected = numbers(after.velocity_i, after.velocity_j),
-          .mistakes = mistakes(hit, [](const Outcome& out) { return numbers(out.v_i, out.v_j); })};
+          .mistakes = mistakes(flaws, [&](Flaw flaw) {
+            const Outcome out = flawed(hit, flaw);
+            return numbers(out.v_i, out.v_j);
+          })};
 }
 
 Vector3d direction(Draw& draw) {
@@ -392,20 +388,15 @@ struct Facts {
 };
 
 Line conservation(int variant, Draw& draw) {
-  std::vector<Hit> hits;
-  for (const double share : {0.15, 0.8, 1.3, 3.0}) hits.push_back(oblique(variant, share, draw));
   Line line{.name = "conservation: momentum, restitution, energy and Coulomb's law of your own answers", .points = 5.0};
   line.relative = 1e-9;
-  for (const Hit& hit : hits) line.questions.push_back({.function = "impact", .inputs = inputs(hit), .count = 6});
-  line.holds = [hits](const Answers& answers) -> std::optional<Finding> {
-    for (std::size_t k = 0; k < hits.size(); ++k) {
-      std::optional<Finding> wrong = Facts(hits[k], answers[k]).all();
-      if (!wrong) continue;
-      wrong->question = k;
-      return wrong;
-    }
-    return std::nullopt;
-  };
+  for (const double share : {0.15, 0.8, 1.3, 3.0}) {
+    const Hit hit = oblique(variant, share, draw);
+    line.questions.push_back({.function = "impact", .inputs = inputs(hit), .count = 6});
+    line.questions.back().holds = [hit](const Answers& answers, std::size_t own) {
+      return Facts(hit, answers[own]).all();
+    };
+  }
   return line;
 }
 
@@ -433,11 +424,12 @@ Line extreme_case(int variant, Draw& draw) {
   Line line{.name = "extreme case: grazing, parting, the edge of sticking, grains of dust", .points = 5.0};
   line.relative = 1e-10;
   line.absolute = 1e-12;
+  line.otherwise =
+      "compare u with 0 and m* |slip| with mu_s |J| as they are: no small number belongs into a comparison, a mass or "
+      "a "
+      "length";
   for (const Hit& hit : {dust, just_sticks, graze, parting, touching, just_slides, smooth, leaving}) {
     line.questions.push_back(ask_impact(hit));
-    line.questions.back().otherwise =
-        "compare u with 0 and m* |slip| with mu_s |J| as they are: no small number belongs into a comparison, a mass "
-        "or a length";
   }
   return line;
 }

@@ -17,7 +17,7 @@ using grading::Answers;
 using grading::Draw;
 using grading::Finding;
 using grading::Line;
-using grading::Mistake;
+using grading::mistakes;
 using grading::Question;
 
 /// What a step of two stages must give; it stands in check_gauss.cpp.
@@ -103,22 +103,7 @@ enum class Flaw {
   largest_factor
 };
 
-const std::vector<std::pair<Flaw, std::string>> flaws_of_factor{
-    {Flaw::whole_numbers, "1/(p K) of whole numbers is 0, and any number to the power of 0 is 1: write 1.0/(p K)"},
-    {Flaw::forgotten_p, "p is forgotten: w_K = (S dt^p)^K w_0, so both roots are 1/(p K_d) and 1/(p K)"},
-    {Flaw::p_outside, "p divides both exponents, 1/(p K_d) and 1/(p K): solve w_K = (S dt^p)^K w_0 for dt"},
-    {Flaw::swapped_contractions, "K_d and K are swapped: K_d belongs to TOL, K to the w_K that was seen"},
-    {Flaw::counts_sweeps, "K counts contractions, not sweeps: it is K as given, not K + 1"},
-    {Flaw::same_root, "two roots: w_K was seen after K contractions, TOL is wanted after K_d"},
-    {Flaw::same_root_desired, "two roots: w_K was seen after K contractions, TOL is wanted after K_d"},
-    {Flaw::upside_down, "the ratio is inverted: a larger TOL allows a larger step"},
-    {Flaw::contraction_inverted, "the contraction that was seen is (w_K/w_0)^(1/K), below 1 if it converges"},
-    {Flaw::last_change, "TOL is compared with w_0, not with w_K: both errors start from the first change"},
-    {Flaw::forgotten_first, "w_0 is forgotten: TOL and w_K are both reached from it, TOL/w_0 and w_K/w_0"},
-    {Flaw::no_guard, "guard 0/0 and 1/0: w_K = 0 or K = 0 gives an infinite factor, before anything is divided"},
-    {Flaw::small_is_zero, "a small w_K is a number like any other: the factor is infinite only where it is exactly 0"}};
-
-const std::vector<std::pair<Flaw, std::string>> flaws_of_decision{
+const std::vector<std::pair<Flaw, std::string>> flaws{
     {Flaw::strictly_below, "a step that meets TOL exactly stands: w_K <= TOL"},
     {Flaw::any_field, "a step stands if every field has met its tolerance, not if some field has"},
     {Flaw::summed_errors, "the largest w_K/TOL decides, not the sum over the fields"},
@@ -132,7 +117,20 @@ const std::vector<std::pair<Flaw, std::string>> flaws_of_decision{
     {Flaw::first_field, "every field counts, not the first alone"},
     {Flaw::common_tolerance, "each field has a tolerance of its own"},
     {Flaw::mean_factor, "the smallest Phi_K of all fields rules, not their mean"},
-    {Flaw::largest_factor, "the smallest Phi_K of all fields rules, not the largest"}};
+    {Flaw::largest_factor, "the smallest Phi_K of all fields rules, not the largest"},
+    {Flaw::whole_numbers, "1/(p K) of whole numbers is 0, and any number to the power of 0 is 1: write 1.0/(p K)"},
+    {Flaw::forgotten_p, "p is forgotten: w_K = (S dt^p)^K w_0, so both roots are 1/(p K_d) and 1/(p K)"},
+    {Flaw::p_outside, "p divides both exponents, 1/(p K_d) and 1/(p K): solve w_K = (S dt^p)^K w_0 for dt"},
+    {Flaw::swapped_contractions, "K_d and K are swapped: K_d belongs to TOL, K to the w_K that was seen"},
+    {Flaw::counts_sweeps, "K counts contractions, not sweeps: it is K as given, not K + 1"},
+    {Flaw::same_root, "two roots: w_K was seen after K contractions, TOL is wanted after K_d"},
+    {Flaw::same_root_desired, "two roots: w_K was seen after K contractions, TOL is wanted after K_d"},
+    {Flaw::upside_down, "the ratio is inverted: a larger TOL allows a larger step"},
+    {Flaw::contraction_inverted, "the contraction that was seen is (w_K/w_0)^(1/K), below 1 if it converges"},
+    {Flaw::last_change, "TOL is compared with w_0, not with w_K: both errors start from the first change"},
+    {Flaw::forgotten_first, "w_0 is forgotten: TOL and w_K are both reached from it, TOL/w_0 and w_K/w_0"},
+    {Flaw::no_guard, "guard 0/0 and 1/0: w_K = 0 or K = 0 gives an infinite factor, before anything is divided"},
+    {Flaw::small_is_zero, "a small w_K is a number like any other: the factor is infinite only where it is exactly 0"}};
 
 double flawed_factor(const Field& field, int K_d, Flaw flaw) {
   const bool saw_none = field.w_K == 0.0 || field.K == 0 || (flaw == Flaw::small_is_zero && field.w_K < 1e-12);
@@ -215,18 +213,15 @@ std::vector<double> inputs(const Step& step) {
 Question ask_factor(const Field& field, int K_d) {
   Question question{.function = "step_factor", .inputs = inputs(field), .expected = {factor_by_library(field, K_d)}};
   question.inputs.push_back(K_d);
-  for (const auto& [flaw, hint] : flaws_of_factor) {
-    question.mistakes.push_back({{flawed_factor(field, K_d, flaw)}, hint});
-  }
+  question.mistakes = mistakes(flaws, [&](Flaw flaw) { return std::vector<double>{flawed_factor(field, K_d, flaw)}; });
   return question;
 }
 
 Question ask_decision(const Step& step) {
-  Question question{.function = "next_step", .inputs = inputs(step), .expected = decision_by_library(step)};
-  for (const auto* flaws : {&flaws_of_decision, &flaws_of_factor}) {
-    for (const auto& [flaw, hint] : *flaws) question.mistakes.push_back({flawed_decision(step, flaw), hint});
-  }
-  return question;
+  return {.function = "next_step",
+          .inputs = inputs(step),
+          .expected = decision_by_library(step),
+          .mistakes = mistakes(flaws, [&](Flaw flaw) { return flawed_decision(step, flaw); })};
 }
 
 // A field whose last change is `share` of its tolerance after K contractions.
@@ -396,22 +391,15 @@ std::optional<Finding> meets_in_desired(const Trial& trial, const std::vector<do
 Line order(int variant, Draw& draw) {
   // On the first the motion rules, on the second the temperature.
   const double small = draw.between(0.04, 0.06), large = draw.between(0.6, 0.8);
-  const std::vector<Trial> trials{trial(variant, small, small, draw), trial(variant, 0.5 * large, large, draw)};
   Line line{.name = "order: the library sweeps with your next step, and meets TOL in K_d contractions", .points = 4.0};
   // Sweeps that have converged to TOL keep so many digits of their last change.
   line.relative = 1e-6;
-  for (const Trial& trial : trials) {
-    line.questions.push_back({.function = "next_step", .inputs = inputs(trial.step), .count = 2});
+  for (const Trial& swept : {trial(variant, small, small, draw), trial(variant, 0.5 * large, large, draw)}) {
+    line.questions.push_back({.function = "next_step", .inputs = inputs(swept.step), .count = 2});
+    line.questions.back().holds = [swept, tolerance = line.relative](const Answers& answers, std::size_t own) {
+      return meets_in_desired(swept, answers[own], tolerance);
+    };
   }
-  line.holds = [trials, tolerance = line.relative](const Answers& answers) -> std::optional<Finding> {
-    for (std::size_t k = 0; k < trials.size(); ++k) {
-      std::optional<Finding> wrong = meets_in_desired(trials[k], answers[k], tolerance);
-      if (!wrong) continue;
-      wrong->question = k;
-      return wrong;
-    }
-    return std::nullopt;
-  };
   return line;
 }
 
@@ -457,16 +445,14 @@ Line extreme_case(int variant, Draw& draw) {
   sharp.control.growth = 50.0;
   for (Field& field : sharp.fields) field = {.w_0 = 1e-3, .w_K = 1e-16, .K = 4, .p = field.p, .TOL = 1e-15};
   Line line{.name = "extreme case: divergence, overflow, nothing moves, TOL = 1e-15", .points = 4.0, .relative = 1e-10};
+  line.otherwise =
+      "w_K = 0 or K = 0 gives an infinite factor; a w_K that is infinite or NaN is refused with shrink dt; no small "
+      "number belongs into a quotient";
   line.questions = {ask_factor(sharp.fields.front(), 6)};
   for (const Step& step : {exactly, rests, stays, at_once}) line.questions.push_back(ask_factor(step.fields.back(), 8));
   for (const Step& step : {sharp, diverges, overflows}) line.questions.push_back(ask_decision(step));
   line.questions.push_back(ask_without_number(no_number));
   for (const Step& step : {bursts, exactly, rests, stays, at_once}) line.questions.push_back(ask_decision(step));
-  for (Question& question : line.questions) {
-    question.otherwise =
-        "w_K = 0 or K = 0 gives an infinite factor; a w_K that is infinite or NaN is refused with "
-        "shrink dt; no small number belongs into a quotient";
-  }
   return line;
 }
 

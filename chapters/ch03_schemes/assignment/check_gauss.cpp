@@ -103,11 +103,10 @@ std::vector<double> spring_step(const Motion& of) {
 }
 
 Question ask(const Motion& of, std::vector<double> expected) {
-  Question question{.function = "gauss2_step",
-                    .inputs = {of.r, of.v, of.dt, static_cast<double>(of.sweeps), of.A, of.B, of.k},
-                    .expected = std::move(expected)};
-  for (const auto& [flaw, hint] : flaws) question.mistakes.push_back({step(of, flaw), hint});
-  return question;
+  return {.function = "gauss2_step",
+          .inputs = {of.r, of.v, of.dt, static_cast<double>(of.sweeps), of.A, of.B, of.k},
+          .expected = std::move(expected),
+          .mistakes = grading::mistakes(flaws, [&](Flaw flaw) { return step(of, flaw); })};
 }
 
 }  // namespace
@@ -132,14 +131,12 @@ Line gauss_step(int, Draw& draw) {
   back.r = there[0];
   back.v = there[1];
   back.dt = -pair.dt;
-  Line line{
-      .name = "two stages: a Gauss step of a spring, of a pair, and back again", .points = 4.0, .relative = 1e-11};
-  line.questions = {ask(spring, spring_step(spring)), ask(pair, there), ask(few, step(few, Flaw::none)),
-                    ask(back, {pair.r, pair.v})};
-  for (Question& question : line.questions) {
-    question.otherwise =
-        "compare your c, A_bar and b_bar with A A and A^T b on paper: sum over a row of A_bar is c_i^2/2, "
-        "b_bar sums to 1/2";
-  }
-  return line;
+  return {.name = "two stages: a Gauss step of a spring, of a pair, and back again",
+          .points = 4.0,
+          .relative = 1e-11,
+          .otherwise =
+              "compare your c, A_bar and b_bar with A A and A^T b on paper: sum over a row of A_bar is c_i^2/2, "
+              "b_bar sums to 1/2",
+          .questions = {ask(spring, spring_step(spring)), ask(pair, there), ask(few, step(few, Flaw::none)),
+                        ask(back, {pair.r, pair.v})}};
 }
