@@ -45,6 +45,7 @@
 #include <particulate/schemes/integrate.hpp>
 #include <particulate/schemes/iteration.hpp>
 #include <particulate/schemes/phi_family.hpp>
+#include <particulate/schemes/sweeps.hpp>
 #include <particulate/schemes/verlet.hpp>
 
 #include "ch03_family.hpp"
@@ -107,12 +108,13 @@ std::pair<schemes::Outcome, double> follow(const Pair& pair, Scheme scheme, Cont
 }
 
 // Changes made by the sweeps of one step, each over the displacement of the first.
-template <class Scheme, class Problem, class State>
-std::vector<double> changes(Scheme scheme, Problem problem, const State& from, double dt, int count) {
+template <class Scheme>
+std::vector<double> changes(const Scheme& scheme, const schemes::Problem& problem, const schemes::State& from,
+                            double dt, int count) {
   std::vector<double> w;
-  State to = from;
-  scheme.predict(problem, from, dt, to);
-  while (static_cast<int>(w.size()) < count) w.push_back(scheme.sweep(problem, from, dt, to).w_K);
+  for (const schemes::Iteration& it : schemes::sweep_by_hand(scheme, problem, from, dt, count).iterations) {
+    w.push_back(it.w_K);
+  }
   return w;
 }
 
@@ -277,7 +279,7 @@ report::Checks ch03::run(const Family& p, const report::Output& output, bool qui
                          "sequential, s = 2", "sequential, s = 4", "sequential, s = 8"});
   long wrong = 0;
   const auto contraction = [&]<class Nodes, class Solver>(std::complex<double> z, Nodes, Solver) {
-    const Eigen::MatrixXcd A = schemes::CollocationTable<Nodes>::get().A.template cast<std::complex<double>>();
+    const Eigen::MatrixXcd A = schemes::table_of<Nodes>().A.template cast<std::complex<double>>();
     Eigen::MatrixXcd L = Eigen::MatrixXcd::Zero(A.rows(), A.cols());
     if constexpr (std::is_same_v<Solver, schemes::Sequential>) L = A.template triangularView<Eigen::StrictlyLower>();
     Eigen::MatrixXcd next = z * (A - L);  // the inverse is applied row by row
@@ -286,7 +288,8 @@ report::Checks ch03::run(const Family& p, const report::Output& output, bool qui
     }
     const double theory = spectral_radius(next);
     const schemes::Collocation<Nodes, Solver> scheme({.guess = schemes::Guess::free_flight});
-    const double seen = contraction_of(changes(scheme, plane(z), one, 1.0, 80));
+    const schemes::FirstOrderPair problem = plane(z);
+    const double seen = contraction_of(changes(scheme, problem, one, 1.0, 80));
     if (std::abs(theory - 1.0) > 0.1) wrong += !((seen < 1.0) == (theory < 1.0));
     return seen;
   };
@@ -467,7 +470,7 @@ report::Checks ch03::run(const Family& p, const report::Output& output, bool qui
     schemes::Outcome outcome = schemes::integrate(mild.problem, state, period, scheme, control, read);
     state = Pair::start();
     scheme.forget();
-    schemes::Watch watch({.functions = [&](double, schemes::In y, schemes::Out g) { g[0] = y[0] - level; },
+    schemes::Watch watch({.functions = [&](const schemes::State& at, schemes::Out g) { g[0] = at.r[0] - level; },
                           .directions = {schemes::Direction::falling},
                           .names = {"near"}});
     outcome = schemes::integrate(mild.problem, state, period, scheme, control, watch);
