@@ -15,7 +15,7 @@ namespace particulate::schemes {
 
 namespace {
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
+constexpr double rounding_unit = std::numeric_limits<double>::epsilon();
 
 void validate_finite(const Eigen::VectorXd& x, const char* what) {
   for (Eigen::Index k = 0; k < x.size(); ++k) {
@@ -99,7 +99,7 @@ void validate_run(const Traits& of, const State& state, double t_end) {
 }
 
 double rounding_of_time(long steps, double t, double t_end) {
-  return static_cast<double>(steps + 1) * epsilon * std::max(std::abs(t), std::abs(t_end));
+  return static_cast<double>(steps + 1) * rounding_unit * std::max(std::abs(t), std::abs(t_end));
 }
 
 double step_towards_end(double wished, double left, double rounding) {
@@ -275,7 +275,7 @@ class Run {
   }
 
   bool accumulates() {
-    const double shortest = no_time * epsilon * std::max(std::abs(state_.t), task_.t_end);
+    const double shortest = no_time * rounding_unit * std::max(std::abs(state_.t), task_.t_end);
     at_once_ = landed_at_ && dt_ <= shortest ? at_once_ + 1 : 0;
     if (at_once_ <= (task_.watch ? task_.watch->settings() : WatchSettings{}).most_at_once) return false;
     out_.accumulation = state_.t;

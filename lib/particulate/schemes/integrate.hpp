@@ -165,6 +165,10 @@ Outcome integrate(P& problem, State& state, double t_end, S& scheme, C& control,
               }});
 }
 
+// Whether a scheme can find the jumps of a problem; of an erased one that is not known before a run starts.
+template <class S, class P>
+concept LocatesFor = Dense<S> || std::same_as<std::remove_const_t<P>, Problem> || !LocatesJumps<P>;
+
 }  // namespace detail
 
 /// Advances a state to t_end: the loop that every scheme, controller and problem share, compiled once.
@@ -194,11 +198,10 @@ Outcome integrate(P& problem, State& state, double t_end, S& scheme, C& control,
 /// @param observer  gets (from, to, dt, scheme) of each accepted step before its jump, returns whether to go on
 /// @return status, reason and counts
 /// @throws std::invalid_argument for a start, an end or a controller that cannot be meant, and for a problem whose type
-///         is erased and of which the scheme cannot advance all
+///         is erased and of which the scheme cannot advance all, or not locate the jumps
 /// @throws std::logic_error if the controller accepts a step that has no value
 template <AnyProblem P, Scheme S, Controller C, class Observer = Unobserved>
-requires(Advances<S, P> &&
-         (Dense<S> || !LocatesJumps<P>)&&!std::is_same_v<std::remove_cvref_t<Observer>, Watch>) Outcome
+requires(Advances<S, P>&& detail::LocatesFor<S, P> && !std::is_same_v<std::remove_cvref_t<Observer>, Watch>) Outcome
     integrate(P& problem, State& state, double t_end, S& scheme, C& control, Observer&& observer = {}) {
   return detail::integrate(problem, state, t_end, scheme, control, nullptr, observer);
 }

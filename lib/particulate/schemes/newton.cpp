@@ -16,10 +16,20 @@
 
 namespace particulate::schemes {
 
+namespace detail {
+
+// By (v, y), and by r; what a problem does not have is empty.
+template <class Matrix>
+struct Derivatives {
+  Matrix J, K;
+};
+
+}  // namespace detail
+
 namespace {
 
+using detail::Derivatives;
 using Complex = std::complex<double>;
-using Dense = Eigen::MatrixXd;
 
 // `set(i, j, quotient)` is called column by column.
 template <class Set>
@@ -75,13 +85,7 @@ Where where(const State& at) {
   return {at.t, {at.r.data(), at.r.size()}, {at.v.data(), at.v.size()}, {at.y.data(), at.y.size()}};
 }
 
-// By (v, y), and by r; what a problem does not have is empty.
-template <class Matrix>
-struct Derivatives {
-  Matrix J, K;
-};
-
-bool is_finite(const Dense& matrix) { return std::isfinite((0.0 * matrix).sum()); }
+bool is_finite(const Eigen::MatrixXd& matrix) { return std::isfinite((0.0 * matrix).sum()); }
 bool is_finite(const SparseJacobian& matrix) { return matrix.nonZeros() == 0 || std::isfinite((0.0 * matrix).sum()); }
 
 // Of a problem that has places or values: its own Jacobian.
@@ -96,16 +100,16 @@ Derivatives<Matrix> given(const Problem& problem, const State& from, const Ask& 
 }
 
 // Of a problem that has all of (r, v, y).
-Derivatives<Dense> whole(const Problem& problem, const State& from) {
+Derivatives<Eigen::MatrixXd> whole(const Problem& problem, const State& from) {
   const Eigen::Index n = from.r.size(), m = problem.traits().values ? from.y.size() : 0;
-  Dense W = Dense::Zero(n + m, 2 * n + m);
+  Eigen::MatrixXd W = Eigen::MatrixXd::Zero(n + m, 2 * n + m);
   problem.jacobian(where(from), W);
   if (W.rows() != n + m || W.cols() != 2 * n + m) {
     throw std::invalid_argument(
         "problem: jacobian(t, r, v, y, J) must leave its matrix as large as it gets it, with a row "
         "for each rate in (a, dy) and a column for each number in (r, v, y)");
   }
-  Derivatives<Dense> by{.J = W.rightCols(n + m), .K = Dense::Zero(n + m, n + m)};
+  Derivatives<Eigen::MatrixXd> by{.J = W.rightCols(n + m), .K = Eigen::MatrixXd::Zero(n + m, n + m)};
   by.K.leftCols(n) = W.leftCols(n);
   return by;
 }
@@ -125,31 +129,31 @@ bool by_differences(const Problem& problem, const State& from, const Eigen::Vect
 
 // Of motion and values that act on each other.
 bool by_all_differences(const Problem& problem, const State& from, const Eigen::VectorXd& sizes,
-                        Derivatives<Dense>& by) {
+                        Derivatives<Eigen::MatrixXd>& by) {
   const Eigen::Index n = from.r.size(), m = from.y.size();
   RatesBy rates(problem, from);
   Eigen::VectorXd f;
-  Dense by_r, by_v = Dense::Zero(n + m, n), by_y;
+  Eigen::MatrixXd by_r, by_v = Eigen::MatrixXd::Zero(n + m, n), by_y;
   if (!rates(f) || !difference_jacobian(rates.part(&State::r), from.r, f, sizes.head(n), {}, by_r) ||
       (problem.traits().velocities &&
        !difference_jacobian(rates.part(&State::v), from.v, f, sizes.head(n), {}, by_v)) ||
       !difference_jacobian(rates.part(&State::y), from.y, f, sizes.tail(m), {}, by_y)) {
     return false;
   }
-  by.K = Dense::Zero(n + m, n + m);
+  by.K = Eigen::MatrixXd::Zero(n + m, n + m);
   by.K.leftCols(n) = by_r;
   by.J.resize(n + m, n + m);
   by.J << by_v, by_y;
   return true;
 }
 
-std::optional<Derivatives<Dense>> dense_derivatives(const Problem& problem, const State& from,
-                                                    const Eigen::VectorXd& sizes) {
-  Derivatives<Dense> by;
+std::optional<Derivatives<Eigen::MatrixXd>> dense_derivatives(const Problem& problem, const State& from,
+                                                              const Eigen::VectorXd& sizes) {
+  Derivatives<Eigen::MatrixXd> by;
   if (problem.has_whole_jacobian()) {
     by = whole(problem, from);
   } else if (problem.has_jacobian()) {
-    by = given<Dense>(problem, from, [&](Dense& J) { problem.jacobian(where(from), J); });
+    by = given<Eigen::MatrixXd>(problem, from, [&](Eigen::MatrixXd& J) { problem.jacobian(where(from), J); });
   } else if (problem.traits().motion && problem.traits().values) {
     if (!by_all_differences(problem, from, sizes, by)) return {};
   } else if (!by_differences(problem, from, sizes, by)) {
@@ -201,7 +205,7 @@ double difference_step(double value, double size) {
 
 bool difference_jacobian(const RatesOf& rates, const Eigen::VectorXd& x, const Eigen::VectorXd& f,
                          const Eigen::VectorXd& sizes, std::optional<Bandwidth> band, Eigen::MatrixXd& J) {
-  J = Dense::Zero(f.size(), x.size());
+  J = Eigen::MatrixXd::Zero(f.size(), x.size());
   return difference_quotients(rates, x, f, sizes, band,
                               [&](Eigen::Index i, Eigen::Index j, double quotient) { J(i, j) = quotient; });
 }
@@ -216,7 +220,7 @@ bool difference_jacobian(const RatesOf& rates, const Eigen::VectorXd& x, const E
 }
 
 struct NewtonSteps::Jacobians {
-  std::variant<Derivatives<Dense>, Derivatives<SparseJacobian>> by;
+  std::variant<Derivatives<Eigen::MatrixXd>, Derivatives<SparseJacobian>> by;
   Eigen::Index size;  // of the unknowns that they belong to
 };
 
@@ -224,7 +228,7 @@ struct NewtonSteps::Factors {
   std::deque<Eigen::PartialPivLU<Eigen::MatrixXcd>> dense;  // one an eigenvalue, of one kind or the other
   std::deque<Eigen::SparseLU<SparseComplex>> sparse;
 
-  void add(const Derivatives<Dense>& by, Complex shift) {
+  void add(const Derivatives<Eigen::MatrixXd>& by, Complex shift) {
     dense.emplace_back().compute(system<Eigen::MatrixXcd>(by, shift));
   }
   void add(const Derivatives<SparseJacobian>& by, Complex shift) {
