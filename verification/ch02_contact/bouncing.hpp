@@ -80,8 +80,8 @@ inline particulate::schemes::State bouncing_truth(const BouncingScene& scene, co
 
 /// Events of N balls: each one's lowest point comes down to the ground.
 inline particulate::reference::Events ground_events(Eigen::Index N) {
-  return {.functions = [N](double, particulate::schemes::In y,
-                           particulate::schemes::Out g) { g = y.segment(2 * N, N).array() - ball_radius; },
+  return {.functions = [N](const particulate::schemes::State& at,
+                           particulate::schemes::Out g) { g = at.r.segment(2 * N, N).array() - ball_radius; },
           .directions = std::vector(static_cast<std::size_t>(N), particulate::reference::Direction::falling)};
 }
 
