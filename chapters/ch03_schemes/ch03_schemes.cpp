@@ -33,86 +33,40 @@
 //!
 //! The parameters, and the few problems and helpers that the pages share, stand on @subpage ch03_shared.
 
-#include <cstdlib>
-#include <optional>
-#include <string>
-
-#include <fmt/core.h>
-
 #include <particulate/laws/near_field.hpp>
-#include <particulate/report/checks.hpp>
-#include <particulate/report/command_line.hpp>
-#include <particulate/report/stamp.hpp>
-#include <particulate/report/table.hpp>
+#include <particulate/report/chapter.hpp>
 
 #include "ch03_schemes.hpp"
 
 namespace ch03 {
 
-void describe(report::CommandLine& line, Parameters& p) {
-  const std::string ours = "our choice";
-  line.field(p.TOL, {"tolerance", "of the sweeps, TOL", "-", report::between(1e-6, 1e-2), ours});
-  line.field(p.K_d, {"desired", "contractions a step should take, K_d", "-", report::between(3, 100), ours});
-  line.field(p.limit, {"limit", "Dt_lim, as a share of the pair's period", "-", report::between(1e-3, 0.1), ours});
-  line.field(p.stiffness, {"stiffness", "repulsion of the steered pair, attraction 1", "N m^3/kg^2",
-                           report::between(0.05, 0.6), ours});
-  line.field(p.softness,
-             {"softness", "repulsion where errors are looked at", "N m^3/kg^2", report::between(0.2, 0.5), ours});
-  line.field(p.rough, {"rough", "Dt_lim of the run that is wrong, as a share of the period", "-",
-                       report::between(0.004, 0.1), ours});
-  line.field(p.springs, {"springs", "of different stiffness, in one problem", "-", report::between(1, 100), ours});
-  line.field(p.sweeps, {"sweeps", "whose errors are drawn", "-", report::between(10, 60), ours});
-  line.field(p.coupling, {"coupling", "a_12 = -a_21 of two decaying fields", "1/s", report::between(1.5, 20.0), ours});
-  line.field(p.beyond, {"beyond", "their step over the last that contracts", "-", report::between(1.001, 2.0), ours});
-  line.field(p.duration, {"duration", "of their decay", "s", report::between(1.0, 20.0), ours});
-  line.field(p.mildness, {"mildness", "repulsion of the pair whose errors are looked at, attraction 1", "N m^3/kg^2",
-                          report::between(0.6, 0.95), ours});
-  line.field(p.closeness, {"closeness", "repulsion of the pair that passes close by, attraction 1", "N m^3/kg^2",
-                           report::between(1e-3, 0.5), ours});
-  line.field(p.accuracy,
-             {"accuracy", "of its steps, for truncation and sweeps", "-", report::between(1e-12, 1e-4), ours});
-  line.field(p.mu, {"mu", "damping of van der Pol's oscillator", "-", report::between(1.0, 1e5), "its test set"});
-  line.field(p.drop, {"drop", "height that a ball falls", "m", report::between(0.01, 100.0), ours});
-  line.field(p.e, {"restitution", "of the ball", "-", report::between(0.1, 0.9), "chapter 4"});
-  line.field(p.periods, {"periods", "over which energy is watched", "-", report::between(20, 10000), ours});
-}
-
 //! Every page is one function, and what the run claims is kept in two tables, of the first three and of the last three.
 
-int run(int argc, char** argv) {
-  Parameters p;
-  report::CommandLine line(
-      {.name = "ch03_schemes",
-       .summary = "Chapter 3: implicit steps, their sweeps, their control, staggered fields, high order.",
-       .out = "ch03"});
-  describe(line, p);
-  if (const std::optional<int> status = line.parse(argc, argv)) return *status;
-  const report::Output output(line.common().out);
-  const bool quick = line.common().quick;
+void run(const Parameters& p, report::Chapter& chapter) {
+  const report::Output& output = chapter.output();
+  const bool quick = chapter.common().quick;
 
-  report::Checks checks;
+  report::Checks& checks = chapter.claims("checks");
   stability(p, output, quick, checks);
   control(p, output, checks);
   staggering(p, output, checks);
-  output.write("checks", checks.table());
 
-  report::Checks of_family;
+  report::Checks& of_family = chapter.claims("family_checks");
   family(p, output, quick, of_family);
   stiffness_and_errors(p, output, of_family);
   contacts(p, output, quick, of_family);
-  output.write("family_checks", of_family.table());
-
-  line.write_parameters();
-  const std::string kernel(laws::name(laws::best_kernel()));
-  report::write_stamp(output.folder(), report::make_stamp(line.line(), line.common().seed, kernel));
-  fmt::print("{}\n{}", checks.table().text(), of_family.table().text());
-  return checks.all_hold() && of_family.all_hold() ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
 }  // namespace ch03
 
 int main(int argc, char** argv) {
-  return particulate::report::guarded("ch03_schemes", [&] { return ch03::run(argc, argv); });
+  using namespace particulate;
+  return report::run_chapter(
+      argc, argv,
+      {.name = "ch03_schemes",
+       .summary = "Chapter 3: implicit steps, their sweeps, their control, staggered fields, high order.",
+       .out = "ch03"},
+      laws::name(laws::best_kernel()), ch03::run);
 }
 
 //! @section ch03_results What held
