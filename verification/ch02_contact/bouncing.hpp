@@ -6,8 +6,8 @@
 
 #include <particulate/contact/contact.hpp>
 #include <particulate/kinematics/domain.hpp>
-#include <particulate/reference/integrator.hpp>
 #include <particulate/laws/gravity.hpp>
+#include <particulate/reference/integrator.hpp>
 #include <particulate/scenes/scene.hpp>
 
 /// @file
@@ -66,7 +66,7 @@ inline BouncingScene bouncing_scene(const std::vector<double>& heights, double e
 
 /// Where and how fast balls of such a scene are.
 inline particulate::schemes::State bouncing_truth(const BouncingScene& scene, const std::vector<double>& heights,
-                                                   double e, double t) {
+                                                  double e, double t) {
   particulate::schemes::State there = particulate::scenes::start(scene);
   const auto N = static_cast<Eigen::Index>(heights.size());
   there.t = t;
@@ -80,8 +80,8 @@ inline particulate::schemes::State bouncing_truth(const BouncingScene& scene, co
 
 /// Events of N balls: each one's lowest point comes down to the ground.
 inline particulate::reference::Events ground_events(Eigen::Index N) {
-  return {.functions = [N](double, particulate::schemes::In y,
-                           particulate::schemes::Out g) { g = y.segment(2 * N, N).array() - ball_radius; },
+  return {.functions = [N](const particulate::schemes::State& at,
+                           particulate::schemes::Out g) { g = at.r.segment(2 * N, N).array() - ball_radius; },
           .directions = std::vector(static_cast<std::size_t>(N), particulate::reference::Direction::falling)};
 }
 

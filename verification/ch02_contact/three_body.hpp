@@ -5,8 +5,8 @@
 
 #include <particulate/contact/contact.hpp>
 #include <particulate/contact/impact.hpp>
-#include <particulate/laws/near_field.hpp>
 #include <particulate/kinematics/domain.hpp>
+#include <particulate/laws/near_field.hpp>
 #include <particulate/reference/integrator.hpp>
 #include <particulate/scenes/scene.hpp>
 
@@ -54,11 +54,10 @@ inline void set_row(Eigen::VectorXd& flat, Eigen::Index i, const Eigen::Vector3d
 /// Events of three bodies: the gap between two of them closes.
 inline particulate::reference::Events gap_events(const Eigen::VectorXd& radius) {
   return {.functions =
-              [radius](double, particulate::schemes::In y, particulate::schemes::Out g) {
-                const Eigen::VectorXd r = y.head(9);
+              [radius](const particulate::schemes::State& at, particulate::schemes::Out g) {
                 for (std::size_t k = 0; k < three_pairs.size(); ++k) {
                   const auto& [i, j] = three_pairs[k];
-                  g[static_cast<Eigen::Index>(k)] = (row_of(r, j) - row_of(r, i)).norm() - radius[i] - radius[j];
+                  g[static_cast<Eigen::Index>(k)] = (row_of(at.r, j) - row_of(at.r, i)).norm() - radius[i] - radius[j];
                 }
               },
           .directions = std::vector(three_pairs.size(), particulate::reference::Direction::falling)};

@@ -14,8 +14,8 @@
 #include <vector>
 
 #include <particulate/contact/contact.hpp>
-#include <particulate/laws/near_field.hpp>
 #include <particulate/laws/gravity.hpp>
+#include <particulate/laws/near_field.hpp>
 #include <particulate/scenes/scene.hpp>
 #include <particulate/schemes/fixed_step.hpp>
 #include <particulate/schemes/integrate.hpp>
@@ -54,7 +54,6 @@ using namespace particulate;
 using contact::Contact;
 using kinematics::Space;
 using kinematics::Wall;
-using kinematics::Space;
 using laws::Gravity;
 using scenes::Scene;
 
@@ -84,15 +83,15 @@ kinematics::Particles cloud(double radius, double speed) {
 const kinematics::Particles thin = cloud(0.1, 0.01), thick = cloud(0.46, 1.0);
 
 // Walls half a spacing outside the lattice, or farther.
-Walled box(double away) {
+Space box(double away) {
   const double low = -0.5 - away, high = static_cast<double>(side) - 0.5 + away;
-  Walled walls;
+  Space space;
   for (int axis = 0; axis < 3; ++axis) {
     const Eigen::Vector3d n = Eigen::Vector3d::Unit(axis);
-    walls.walls.push_back(Wall{.point = low * n, .normal = n});
-    walls.walls.push_back(Wall{.point = high * n, .normal = -n});
+    space.walls.push_back(Wall{.point = low * n, .normal = n});
+    space.walls.push_back(Wall{.point = high * n, .normal = -n});
   }
-  return walls;
+  return space;
 }
 
 const Gravity weight{.g = {0.0, 0.0, -0.1}};
@@ -129,7 +128,7 @@ Run scene(const kinematics::Particles& particles, const D& domain, long steps, c
 template <class Force>
 Run by_hand(const kinematics::Particles& particles, long steps, const Force& add) {
   Run run{.impacts = 0, .end = start_of(particles)};
-  auto& [t, r, v] = run.end;
+  auto& [t, r, v, y, t_carry] = run.end;
   Eigen::VectorXd f = Eigen::VectorXd::Zero(3 * N), inverse(3 * N);
   for (Eigen::Index axis = 0; axis < 3; ++axis) inverse.segment(axis * N, N) = particles.mass.cwiseInverse();
   add(r, f);
@@ -149,8 +148,10 @@ void weigh(const kinematics::Particles& particles, schemes::Out f) {
 }
 
 void attract(const kinematics::Particles& particles, schemes::In r, schemes::Out f) {
-  const laws::At<> at{.t = 0.0, .position = {r.data(), N, 3}, .mass = particles.mass, .radius = particles.radius};
-  if (!add_force(field, Open{}, at, laws::Forces(f.data(), N, 3))) throw std::runtime_error("no force");
+  static laws::Scratch scratch;
+  const laws::At<> at{
+      .t = 0.0, .position = {r.data(), N, 3}, .mass = particles.mass, .radius = particles.radius, .scratch = scratch};
+  if (!add_force(field, Space{}, at, laws::Forces(f.data(), N, 3))) throw std::runtime_error("no force");
 }
 
 // The same forces as a problem of its own, for the library's loop: what a scene adds to it is the composition alone.
@@ -192,18 +193,18 @@ const std::array variants{
     Variant{"hand_problem_near_field", [](long n) { return problem_by_hand(thin, n, only_field); }},
     Variant{"hand_problem_both", [](long n) { return problem_by_hand(thin, n, both); }},
 
-    Variant{"near_field_absent", [](long n) { return scene(thin, Open{}, n, weight); }},
-    Variant{"near_field_idle", [](long n) { return scene(thin, Open{}, n, weight, no_field); }},
-    Variant{"near_field_used", [](long n) { return scene(thin, Open{}, n, weight, field); }},
+    Variant{"near_field_absent", [](long n) { return scene(thin, Space{}, n, weight); }},
+    Variant{"near_field_idle", [](long n) { return scene(thin, Space{}, n, weight, no_field); }},
+    Variant{"near_field_used", [](long n) { return scene(thin, Space{}, n, weight, field); }},
 
-    Variant{"gravity_absent", [](long n) { return scene(thin, Open{}, n, field); }},
-    Variant{"gravity_idle", [](long n) { return scene(thin, Open{}, n, weightless, field); }},
+    Variant{"gravity_absent", [](long n) { return scene(thin, Space{}, n, field); }},
+    Variant{"gravity_idle", [](long n) { return scene(thin, Space{}, n, weightless, field); }},
 
     Variant{"contact_absent", [](long n) { return scene(thin, box(0.0), n, weight, field); }},
     Variant{"contact_idle", [](long n) { return scene(thin, box(0.0), n, weight, field, Elastic{}); }},
     Variant{"contact_used", [](long n) { return scene(thick, box(0.0), n, weight, field, Elastic{}); }},
 
-    Variant{"wall_absent", [](long n) { return scene(thick, Open{}, n, weight, field, Elastic{}); }},
+    Variant{"wall_absent", [](long n) { return scene(thick, Space{}, n, weight, field, Elastic{}); }},
     Variant{"wall_idle", [](long n) { return scene(thick, box(100.0), n, weight, field, Elastic{}); }},
 
     Variant{"friction_idle", [](long n) { return scene(thick, box(0.0), n, weight, field, Rubbing{}); }},
