@@ -6,11 +6,7 @@
 
 namespace tests::state_test {
 
-using particulate::schemes::advance_time;
-using particulate::schemes::flat;
-using particulate::schemes::is_finite;
-using particulate::schemes::State;
-using particulate::schemes::unflatten;
+using namespace particulate::schemes;
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
