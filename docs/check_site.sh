@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # check_site.sh <html folder> [page.html]...   opens pages of the site in headless Chromium and says what is wrong
-# check_site.sh --self-test <html folder>      plants one fault after another into a copy; each must be found
+# check_site.sh --self-test <html folder>      plants faults into a copy; each must be found
 #
 # Without pages it takes the start, the guides and indexes, then chapters and their verification, 25 at most.
 # Found: formulas not typeset or in error, references to no formula, dead links, anchors, images and objects, anything
@@ -149,17 +149,22 @@ default_pages() {
 
 # --- The check, checked ----------------------------------------------------------------------------------------------
 
-# Plants markup at the end of a page's contents, and wants the check to say the words.
+# must_find <words and markup>...: plants every markup at the end of a page's contents, and wants the check to say the
+# words of each. Opening a page takes longest, so one page holds several faults, each with words of its own.
 must_find() {
-  local words=$1 markup=$2 report
-  sed "s|</body>|<p>$(printf '%s' "$markup" | sed 's/[&|\\]/\\&/g')</p></body>|" "$original/notation.html" >"$site/planted.html"
+  local planted='' report i
+  for ((i = 2; i <= $#; i += 2)); do planted+="<p>${!i}</p>"; done
+  sed "s|</body>|$(printf '%s' "$planted" | sed 's/[&|\\]/\\&/g')</body>|" "$original/notation.html" >"$site/planted.html"
   if report=$("$0" "$site" planted.html 2>&1); then
-    fault "self-test" "passed in spite of $markup"
-  elif ! grep -qF -- "$words" <<<"$report"; then
-    fault "self-test" "'$markup' was not called '$words' but: $report"
-  else
-    echo "found: $words"
+    fault "self-test" "passed in spite of $planted"
   fi
+  for ((i = 1; i <= $#; i += 2)); do
+    if grep -qF -- "${!i}" <<<"$report"; then
+      echo "found: ${!i}"
+    else
+      fault "self-test" "nothing in '$planted' was called '${!i}' but: $report"
+    fi
+  done
 }
 
 self_test() {
@@ -168,16 +173,16 @@ self_test() {
   cp -r "$original" "$site"
   cp "$original/notation.html" "$site/planted.html"
   "$0" "$site" planted.html || stop "the page to be spoilt has faults of its own"
-  must_find 'a formula is in error' '\( \frac{1 \)'
-  must_find 'a formula is in error' '\( \nosuchcommand \)'
-  must_find 'a reference to a formula that does not exist' '\( \eqref{nosuchlabel} \)'
-  must_find 'TeX that nobody typeset' '<span class="tex2jax_ignore">\( x \)</span>'
-  must_find 'dead link, image or object: nosuch.png' '<img src="nosuch.png">'
-  must_find 'dead link, image or object: nosuch.svg' '<object data="nosuch.svg"></object>'
-  must_find 'dead link, image or object: nosuch.html' '<a href="nosuch.html">here</a>'
-  must_find 'dead anchor: map.html#nosuch' '<a href="map.html#nosuch">here</a>'
-  must_find 'loads from beyond the disk' '<script src="https://example.org/x.js"></script>'
-  must_find 'asked the network for' '<script>fetch("http://127.0.0.1:9/quietly");</script>'
+  must_find 'a formula is in error' '\( \frac{1 \)' \
+    'TeX that nobody typeset' '<span class="tex2jax_ignore">\( x \)</span>' \
+    'dead link, image or object: nosuch.png' '<img src="nosuch.png">' \
+    'dead link, image or object: nosuch.svg' '<object data="nosuch.svg"></object>' \
+    'dead link, image or object: nosuch.html' '<a href="nosuch.html">here</a>' \
+    'dead anchor: map.html#nosuch' '<a href="map.html#nosuch">here</a>' \
+    'loads from beyond the disk' '<script src="https://example.org/x.js"></script>' \
+    'asked the network for "url":"http://127.0.0.1:9/quietly"' '<script>fetch("http://127.0.0.1:9/quietly");</script>'
+  must_find 'a formula is in error' '\( \nosuchcommand \)' \
+    'a reference to a formula that does not exist' '\( \eqref{nosuchlabel} \)'
   rm "$site/mathjax/MathJax.js"
   must_find 'TeX that nobody typeset' 'no MathJax'
   [ "$found" = 0 ]

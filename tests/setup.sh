@@ -168,23 +168,49 @@ set_up() {
   fi
 }
 
-# Seconds by stage. `stage <name>` starts one and ends the one before it; `print_stages` shows them all.
+# Seconds by stage. `stage <name>` starts one and ends the one before it; `print_stages` shows them all: what the clock
+# says, and what the processors did for this script and for all that it started and waited for.
 stage_names=()
 stage_starts=()
+stage_used=()
+
+# Sets `used` to the hundredths of a processor second so far, nought where there is no /proc. Not by way of $(...): that
+# would be another process.
+count_processors() {
+  local line fields
+  used=0
+  if [[ ! -r /proc/$$/stat ]]; then return; fi
+  read -r line <"/proc/$$/stat"
+  # After the command's name, which may hold anything: user and system time of the script, then of what it waited for.
+  read -r -a fields <<<"${line##*) }"
+  used=$(((fields[11] + fields[12] + fields[13] + fields[14]) * 100 / $(getconf CLK_TCK)))
+}
+
+mark_time() {
+  local used
+  count_processors
+  stage_starts+=("$SECONDS")
+  stage_used+=("$used")
+}
 
 stage() {
   stage_names+=("$1")
-  stage_starts+=("$SECONDS")
+  mark_time
   printf '\n==> %s\n' "$1"
 }
 
 print_stages() {
-  local i end
-  stage_starts+=("$SECONDS")
-  printf '\n%-16s %8s\n' stage seconds
+  local i
+  mark_time
+  printf '\n%-16s %8s %12s\n' stage seconds 'CPU seconds'
   for i in "${!stage_names[@]}"; do
-    end=${stage_starts[i + 1]}
-    printf '%-16s %8d\n' "${stage_names[i]}" $((end - stage_starts[i]))
+    print_stage "${stage_names[i]}" "$i" $((i + 1))
   done
-  printf '%-16s %8d\n' total $((SECONDS - stage_starts[0]))
+  print_stage total 0 ${#stage_names[@]}
+}
+
+# print_stage <name> <index of its start> <index of its end>
+print_stage() {
+  local used=$((stage_used[$3] - stage_used[$2]))
+  printf '%-16s %8d %10d.%d\n' "$1" $((stage_starts[$3] - stage_starts[$2])) $((used / 100)) $((used % 100 / 10))
 }

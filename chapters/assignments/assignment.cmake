@@ -26,6 +26,8 @@ function(assignment_library chapter variable)
       list(TRANSFORM assignment_sources_${chapter} REPLACE "(.+)" "${assignments_root}/lib/particulate/\\1.cpp"
            OUTPUT_VARIABLE sources)
       add_library(${targets} STATIC EXCLUDE_FROM_ALL ${sources})
+      # Headers take most of the time: they are read once.
+      set_target_properties(${targets} PROPERTIES UNITY_BUILD ON)
       target_include_directories(${targets} PUBLIC "${assignments_root}/lib")
       target_link_libraries(${targets} PUBLIC Eigen3::Eigen fmt::fmt)
       target_compile_features(${targets} PUBLIC cxx_std_20)

@@ -2,7 +2,6 @@
 
 #include <cstdio>
 #include <cstdlib>
-#include <iostream>
 #include <map>
 #include <string>
 #include <vector>
@@ -22,18 +21,16 @@ using Function = std::vector<double> (*)(const std::vector<double>&);
 /// @param argc       as main() gets it
 /// @param argv       as main() gets it
 /// @param functions  by their names
-/// @return 0
+/// @return 0; 2 if the file is none, or a question is cut off
 inline int answer(int argc, char** argv, const std::map<std::string, Function>& functions) {
   std::FILE* const out = argc == 2 ? fdopen(std::atoi(argv[1]), "w") : stdout;
   if (!out) return 2;
-  std::string name;
+  char name[64];
   std::size_t count = 0;
-  while (std::cin >> name >> count) {
+  while (std::scanf("%63s %zu", name, &count) == 2) {
     std::vector<double> inputs(count);
     for (double& x : inputs) {
-      std::string text;
-      std::cin >> text;
-      x = std::strtod(text.c_str(), nullptr);
+      if (std::scanf("%lf", &x) != 1) return 2;
     }
     for (const double x : functions.at(name)(inputs)) std::fprintf(out, "%a ", x);
     std::fprintf(out, "\n");

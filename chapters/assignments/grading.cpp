@@ -13,10 +13,13 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <map>
 #include <sstream>
@@ -31,6 +34,28 @@ namespace grading {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+// Limits of one run of a submission, which takes milliseconds. The processor time ends a loop; the wall time ends one
+// that sleeps, and leaves a right answer enough of it on a machine that has other things to do.
+struct Limits {
+  unsigned cpu_seconds;
+  std::chrono::seconds wall;
+  rlim_t memory = rlim_t{1} << 28;  // address space in bytes
+};
+
+// What came back from one run of a submission: all answers, or why not.
+struct Run {
+  Answers answers;
+  Finding wrong;
+};
+
+// How one line went. Where all is right there is no hint.
+struct Score {
+  std::string name;
+  double points = 0.0, possible = 0.0;
+  std::string tolerance = {};
+  Finding wrong = {};
+};
 
 // A pipe whose ends close themselves.
 class Pipe {
@@ -159,22 +184,22 @@ void explain(Run& run, std::optional<int> status, std::size_t asked) {
   const int signal = status && WIFSIGNALED(*status) ? WTERMSIG(*status) : 0;
   const int left = status && WIFEXITED(*status) ? WEXITSTATUS(*status) : 0;
   if (run.answers.size() > asked) {
-    run.failure = fmt::format("more than the {} answers asked for", asked);
-    run.hint = "functions must return their result and write to no file";
+    run.wrong.obtained = fmt::format("more than the {} answers asked for", asked);
+    run.wrong.hint = "functions must return their result and write to no file";
   } else if (!status || signal == SIGXCPU || signal == SIGKILL) {
-    run.failure = "took too long" + after;
-    run.hint = "a loop does not end, or does far too much work";
+    run.wrong.obtained = "took too long" + after;
+    run.wrong.hint = "a loop does not end, or does far too much work";
   } else if (signal != 0) {
-    run.failure = fmt::format("crashed ({}){}", strsignal(signal), after);
-    run.hint =
+    run.wrong.obtained = fmt::format("crashed ({}){}", strsignal(signal), after);
+    run.wrong.hint =
         "run it in a debugger, or build it with -fsanitize=address: an index or a pointer is wrong, an exception "
         "was thrown, a file was written, or memory ran out";
   } else if (left == not_started) {
-    run.failure = "the program could not be started";
-    run.hint = "its file must exist, and everyone must be allowed to read and execute it";
+    run.wrong.obtained = "the program could not be started";
+    run.wrong.hint = "its file must exist, and everyone must be allowed to read and execute it";
   } else {
-    run.failure = fmt::format("left with exit status {}{}", left, after);
-    run.hint = "functions must return to their caller: do not call exit()";
+    run.wrong.obtained = fmt::format("left with exit status {}{}", left, after);
+    run.wrong.hint = "functions must return to their caller: do not call exit()";
   }
 }
 
@@ -205,7 +230,9 @@ std::string hint_for(const Question& question, const std::vector<double>& answer
     if (made) return mistake.hint;
   }
   const auto is_finite = [](double x) { return std::isfinite(x); };
-  if (std::all_of(answer.begin(), answer.end(), is_finite)) return question.otherwise;
+  if (std::all_of(answer.begin(), answer.end(), is_finite)) {
+    return line.otherwise.empty() ? question.otherwise : line.otherwise;
+  }
   return "the answer is not a finite number: look for 0/0, overflow, a root or a logarithm of a negative number";
 }
 
@@ -220,9 +247,14 @@ std::optional<Finding> first_wrong(const Line& line, const Answers& answers) {
                    .obtained = shown(answers[k]),
                    .hint = hint_for(question, answers[k], line)};
   }
-  std::optional<Finding> wrong = line.holds ? line.holds(answers) : std::nullopt;
-  if (wrong) wrong->expected = fmt::format("{}: {}", call(line.questions.at(wrong->question)), wrong->expected);
-  return wrong;
+  for (std::size_t k = 0; k < line.questions.size(); ++k) {
+    const Question& question = line.questions[k];
+    std::optional<Finding> wrong = question.holds ? question.holds(answers, k) : std::nullopt;
+    if (!wrong) continue;
+    wrong->expected = fmt::format("{}: {}", call(question), wrong->expected);
+    return wrong;
+  }
+  return std::nullopt;
 }
 
 // For JSON. What is not ASCII may come from a compiler, cut off in the middle of a letter.
@@ -242,10 +274,11 @@ std::string escaped(const std::string& text) {
 }
 
 std::string story(const Score& score) {
-  if (score.hint.empty()) return "right";
-  if (score.expected.empty()) return score.hint;
-  return fmt::format("expected: {}\nobtained: {}\ntolerance: {}\nhint: {}", score.expected, score.obtained,
-                     score.tolerance, score.hint);
+  const Finding& wrong = score.wrong;
+  if (wrong.hint.empty()) return "right";
+  if (wrong.expected.empty()) return wrong.hint;
+  return fmt::format("expected: {}\nobtained: {}\ntolerance: {}\nhint: {}", wrong.expected, wrong.obtained,
+                     score.tolerance, wrong.hint);
 }
 
 // Answers, a line each, up to "end". Whether they are complete: as many as asked, and nothing behind.
@@ -262,19 +295,19 @@ bool read_answers(const std::string& text, std::size_t asked, Answers& answers) 
   return false;
 }
 
-}  // namespace
-
-Run ask(const std::filesystem::path& program, const std::vector<Question>& questions, const Limits& limits) {
+// Runs a submission in a process of its own and puts questions to it. Questions go in by its standard input, answers
+// come back by a pipe of their own: what it prints is thrown away. It can write no file, and cannot read this process's
+// memory. Where this process is root's, it becomes `nobody` if the system lets it.
+Run ask(const std::string& program, const std::vector<Question>& questions, const Limits& limits) {
   const Clock::time_point deadline = Clock::now() + limits.wall;
   signal(SIGPIPE, SIG_IGN);
 #ifdef __linux__
   prctl(PR_SET_DUMPABLE, 0);  // Expected values stand in this memory: no process of the same user may read it.
 #endif
   Pipe in, out;
-  const std::string file = program.string();
   const pid_t process = fork();
   if (process < 0) throw std::runtime_error("no process can be made for the submission");
-  if (process == 0) become(file.c_str(), in.read_end(), out.write_end(), limits);
+  if (process == 0) become(program.c_str(), in.read_end(), out.write_end(), limits);
   setpgid(process, process);
   in.close_end(0);
   out.close_end(1);
@@ -290,40 +323,22 @@ Run ask(const std::filesystem::path& program, const std::vector<Question>& quest
   return run;
 }
 
-Score grade(const std::filesystem::path& program, const Line& line, const Limits& limits) {
+// All points of a line or none, and why.
+Score grade(const std::string& program, const Line& line, const Limits& limits) {
   Score score{.name = line.name, .possible = line.points};
   score.tolerance = fmt::format("{:g} relative", line.relative);
   if (line.absolute > 0.0) score.tolerance += fmt::format(" + {:g}", line.absolute);
   const Run run = ask(program, line.questions, limits);
-  if (!run.failure.empty()) {
-    score.expected = fmt::format("{} answers", line.questions.size());
-    score.obtained = run.failure;
-    score.hint = run.hint;
+  if (!run.wrong.obtained.empty()) {
+    score.wrong = run.wrong;
+    score.wrong.expected = fmt::format("{} answers", line.questions.size());
   } else if (const std::optional<Finding> wrong = first_wrong(line, run.answers)) {
-    score.expected = wrong->expected;
-    score.obtained = wrong->obtained;
-    score.hint = wrong->hint;
+    score.wrong = *wrong;
   } else {
     score.points = line.points;
   }
   return score;
 }
-
-Draw::Draw(const std::string& student) {
-  std::uint64_t hash = 14695981039346656037ULL;  // FNV-1a
-  for (const char c : student) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
-  engine_.seed(hash);
-}
-
-double Draw::between(double low, double high) {
-  const double share = std::ldexp(static_cast<double>(engine_() >> 11), -53);
-  const double x = low + share * (high - low);
-  return std::strtod(fmt::format("{:.4g}", x).c_str(), nullptr);
-}
-
-int Draw::one_of(int count) { return static_cast<int>(engine_() % static_cast<std::uint64_t>(count)); }
-
-namespace {
 
 // The command line, option by option.
 struct Options {
@@ -395,30 +410,31 @@ std::string first_error(const std::string& file) {
 Score compiles(const std::string& log) {
   Score score{.name = "compiles"};
   if (log.empty()) return score;
-  score.expected = "a program";
-  score.obtained = first_error(log);
   score.tolerance = "none";
-  score.hint = "mend the first error first; hand in every function of the header, as it is declared there";
+  score.wrong = {.expected = "a program",
+                 .obtained = first_error(log),
+                 .hint = "mend the first error first; hand in every function of the header, as it is declared there"};
   return score;
 }
 
 void print(const std::vector<Score>& scores) {
   double reached = 0.0, possible = 0.0;
   for (const Score& score : scores) {
+    const Finding& wrong = score.wrong;
     reached += score.points;
     possible += score.possible;
     if (score.possible > 0.0) {
       fmt::print("{:5g} of {:<5g}{}", score.points, score.possible, score.name);
     } else {
-      fmt::print("{:>5}         {}", score.hint.empty() ? "yes" : "no", score.name);
+      fmt::print("{:>5}         {}", wrong.hint.empty() ? "yes" : "no", score.name);
     }
-    const bool is_asked = !score.expected.empty();
-    fmt::print("{}\n", is_asked || score.hint.empty() ? "" : " (" + score.hint + ")");
+    const bool is_asked = !wrong.expected.empty();
+    fmt::print("{}\n", is_asked || wrong.hint.empty() ? "" : " (" + wrong.hint + ")");
     if (!is_asked) continue;
     fmt::print(
         "              expected   {}\n              obtained   {}\n              tolerance  {}\n"
         "              hint       {}\n",
-        score.expected, score.obtained, score.tolerance, score.hint);
+        wrong.expected, wrong.obtained, score.tolerance, wrong.hint);
   }
   fmt::print("{:5g} of {:<5g}in all\n", reached, possible);
 }
@@ -446,7 +462,7 @@ bool write_json(const std::string& file, const std::vector<Score>& scores) {
     tests += fmt::format(
         "{}\n    {{\"name\": \"{}\", \"score\": {}, \"max_score\": {}, \"status\": \"{}\", \"output\": \"{}\"}}",
         tests.empty() ? "" : ",", escaped(score.name), score.points, score.possible,
-        score.hint.empty() ? "passed" : "failed", escaped(story(score)));
+        score.wrong.hint.empty() ? "passed" : "failed", escaped(story(score)));
   }
   const std::string whole = part(file);
   {
@@ -461,6 +477,20 @@ bool write_json(const std::string& file, const std::vector<Score>& scores) {
 }
 
 }  // namespace
+
+Draw::Draw(const std::string& student) {
+  std::uint64_t hash = 14695981039346656037ULL;  // FNV-1a
+  for (const char c : student) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
+  engine_.seed(hash);
+}
+
+double Draw::between(double low, double high) {
+  const double share = std::ldexp(static_cast<double>(engine_() >> 11), -53);
+  const double x = low + share * (high - low);
+  return std::strtod(fmt::format("{:.4g}", x).c_str(), nullptr);
+}
+
+int Draw::one_of(int count) { return static_cast<int>(engine_() % static_cast<std::uint64_t>(count)); }
 
 int run(int argc, char** argv, const Assignment& assignment) {
   Options options;
@@ -481,16 +511,17 @@ int run(int argc, char** argv, const Assignment& assignment) {
   std::vector<Score> scores{compiles(options.log)};
   for (const auto make_line : assignment.lines) {
     const Line line = make_line(*variant, numbers);
-    scores.push_back(options.log.empty()
-                         ? grade(options.program, line, limits)
-                         : Score{.name = line.name, .possible = line.points, .hint = "not asked: it does not compile"});
+    scores.push_back(
+        options.log.empty()
+            ? grade(options.program, line, limits)
+            : Score{.name = line.name, .possible = line.points, .wrong = {.hint = "not asked: it does not compile"}});
   }
   print(scores);
   if (!options.json.empty() && !write_json(options.json, scores)) {
     std::ignore = refuse_file(options.json);
     return 2;
   }
-  const bool full = std::all_of(scores.begin(), scores.end(), [](const Score& s) { return s.hint.empty(); });
+  const bool full = std::all_of(scores.begin(), scores.end(), [](const Score& s) { return s.wrong.hint.empty(); });
   return full ? 0 : 1;
 }
 

@@ -87,21 +87,15 @@ elseif(VARIANT STREQUAL "install_tree")
   file(GLOB_RECURSE package "${WORK}/moved/particulate-config.cmake")
   cmake_path(GET package PARENT_PATH package)
   use("${package}")
-elseif(VARIANT STREQUAL "physics_alone")
-  run("Configuring the physics alone" "${CMAKE_COMMAND}" -S "${SOURCE}" -B "${WORK}/build" ${ARGUMENTS} ${hasty}
-      ${nothing_else} -DPARTICULATE_REFERENCE=OFF -DPARTICULATE_REPORT=OFF -DPARTICULATE_PROGRAMS=OFF)
-  run("Building the physics alone" "${CMAKE_COMMAND}" --build "${WORK}/build")
-  run("Installing the physics alone" "${CMAKE_COMMAND}" --install "${WORK}/build" --prefix "${WORK}/prefix")
-  file(GLOB_RECURSE package "${WORK}/prefix/particulate-config.cmake")
-  cmake_path(GET package PARENT_PATH package)
-  use("${package}")
-  ask_for("component 'reference' must be one that was built" reference)
 elseif(VARIANT STREQUAL "subproject")
-  # Its own warnings are errors; the library's sources must not be drawn into that by the library itself.
+  # The physics can be configured for itself. It is compiled below, as a part of someone else's project, once for both.
+  run("Configuring the physics alone" "${CMAKE_COMMAND}" -S "${SOURCE}" -B "${WORK}/alone" ${ARGUMENTS} ${nothing_else}
+      -DPARTICULATE_REFERENCE=OFF -DPARTICULATE_REPORT=OFF -DPARTICULATE_PROGRAMS=OFF)
+  # The parent's own warnings are errors; the library's sources must not be drawn into that by the library itself.
   file(CONFIGURE OUTPUT "${WORK}/CMakeLists.txt" @ONLY CONTENT [[
 cmake_minimum_required(VERSION 3.25)
 project(parent LANGUAGES CXX)
-add_subdirectory("@SOURCE@" particulate EXCLUDE_FROM_ALL)
+add_subdirectory("@SOURCE@" particulate)
 get_target_property(options particulate_contact COMPILE_OPTIONS)
 if(options MATCHES "-W|-march" OR TARGET particulate_report OR TARGET particulate_reference OR TARGET unit_tests)
   message(FATAL_ERROR "a project that adds this one must get the physics alone, without its warnings: ${options}")
@@ -117,6 +111,12 @@ endforeach()
   run("Configuring the parent" "${CMAKE_COMMAND}" -S "${WORK}" -B "${WORK}/build" ${ARGUMENTS} ${hasty}
       ${nothing_else})
   run_programs("${WORK}/build")
+  # What was compiled is the physics alone: installed, it serves others like any installation.
+  run("Installing the physics alone" "${CMAKE_COMMAND}" --install "${WORK}/build" --prefix "${WORK}/prefix")
+  file(GLOB_RECURSE package "${WORK}/prefix/particulate-config.cmake")
+  cmake_path(GET package PARENT_PATH package)
+  use("${package}")
+  ask_for("component 'reference' must be one that was built" reference)
 else()
-  message(FATAL_ERROR "VARIANT must be build_tree, install_tree, physics_alone or subproject, got '${VARIANT}'")
+  message(FATAL_ERROR "VARIANT must be build_tree, install_tree or subproject, got '${VARIANT}'")
 endif()

@@ -10,36 +10,19 @@
 namespace tests::contact_test {
 
 using boost::test_tools::tolerance;
-using particulate::contact::any_approach;
-using particulate::laws::Conservative;
-using particulate::contact::ConstantRestitution;
-using particulate::contact::Contact;
-using particulate::contact::find_touching;
-using particulate::contact::Friction;
-using particulate::contact::Frictionless;
-using particulate::contact::Impacts;
-using particulate::contact::MotionForce;
-using particulate::contact::PositionForce;
-using particulate::contact::Resolution;
-using particulate::contact::Restitution;
-using particulate::contact::Touching;
-using particulate::contact::validate;
-using particulate::laws::Validated;
-using particulate::kinematics::Space;
-using particulate::kinematics::Particles;
-using particulate::kinematics::Vectors;
-using particulate::kinematics::Wall;
-using particulate::kinematics::Space;
-using particulate::schemes::Jump;
+using namespace particulate::contact;
+using namespace particulate::kinematics;
+using namespace particulate::laws;
+using namespace particulate::schemes;
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-const Walled room{{Wall{.point = {0.0, 0.0, -1.0}, .normal = {0.0, 0.0, 1.0}},
-                   Wall{.point = {4.0, 9.0, 9.0}, .normal = {-1.0, 0.0, 0.0}}}};
+const Space room{{Wall{.point = {0.0, 0.0, -1.0}, .normal = {0.0, 0.0, 1.0}},
+                  Wall{.point = {4.0, 9.0, 9.0}, .normal = {-1.0, 0.0, 0.0}}}};
 
 static_assert(Impacts<Contact<>> && Impacts<Contact<Restitution, Friction>> && Validated<Contact<>>);
-static_assert(!PositionForce<Contact<>, Open> && !MotionForce<Contact<>, Open>, "a contact is no force");
+static_assert(!Force<Contact<>, Space>, "a contact is no force");
 static_assert(!Impacts<Friction>);
-static_assert(Conservative<Contact<>, Open>, "a scene with contacts can book its energy");
+static_assert(Conservative<Contact<>, Space>, "a scene with contacts can book its energy");
 
 // Three spheres along x: the first two overlap by 0.5, the last touches the second.
 Moment in_a_row() {
@@ -88,7 +71,7 @@ BOOST_AUTO_TEST_SUITE_END()
 BOOST_AUTO_TEST_SUITE(potential_energy_)
 
 BOOST_AUTO_TEST_CASE(is_none_however_deep_the_overlap) {
-  BOOST_TEST(potential_energy(Contact{}, Open{}, in_a_row().at()) == 0.0);
+  BOOST_TEST(potential_energy(Contact{}, Space{}, in_a_row().at()) == 0.0);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
@@ -96,7 +79,7 @@ BOOST_AUTO_TEST_SUITE_END()
 BOOST_AUTO_TEST_SUITE(find_touching_)
 
 BOOST_AUTO_TEST_CASE(finds_pairs_that_overlap_or_just_touch_and_the_deepest) {
-  const Touching found = find_touching(Open{}, in_a_row().at());
+  const Touching found = find_touching(Space{}, in_a_row().at());
   BOOST_REQUIRE(found.contacts.size() == 2U);
   BOOST_TEST(found.contacts[0].i == 0);
   BOOST_TEST(found.contacts[0].j == 1);
@@ -110,8 +93,8 @@ BOOST_AUTO_TEST_CASE(finds_pairs_that_overlap_or_just_touch_and_the_deepest) {
 BOOST_AUTO_TEST_CASE(finds_nothing_apart_and_among_no_particle) {
   Moment apart = in_a_row();
   apart.particles.position.col(1) << 0.0, 5.0, 10.0;
-  BOOST_TEST(find_touching(Open{}, apart.at()).contacts.empty());
-  BOOST_TEST(find_touching(Open{}, apart.at()).overlap == 0.0);
+  BOOST_TEST(find_touching(Space{}, apart.at()).contacts.empty());
+  BOOST_TEST(find_touching(Space{}, apart.at()).overlap == 0.0);
   const Moment none{{Vectors(0, 3), Vectors(0, 3), Eigen::VectorXd(0), Eigen::VectorXd(0)}};
   BOOST_TEST(find_touching(room, none.at()).contacts.empty());
 }
@@ -120,7 +103,7 @@ BOOST_AUTO_TEST_CASE(points_from_the_first_to_the_second) {
   Moment pair = in_a_row();
   pair.particles.position.row(1) << 0.6, -0.8, 0.0;
   BOOST_TEST(
-      close(find_touching(Open{}, pair.at()).contacts[0].n, Eigen::Vector3d(0.6, -0.8, 0.0), {.relative = 1e-15}));
+      close(find_touching(Space{}, pair.at()).contacts[0].n, Eigen::Vector3d(0.6, -0.8, 0.0), {.relative = 1e-15}));
 }
 
 // The floor at z = -1 is touched by the first two; the wall at x = 4 is 1 away from the last.
@@ -140,7 +123,7 @@ BOOST_AUTO_TEST_CASE(finds_walls_that_are_touched) {
 BOOST_AUTO_TEST_CASE(says_when_a_direction_is_missing) {
   Moment cloud = in_a_row();
   cloud.particles.position.row(2) = cloud.particles.position.row(1);
-  const Touching found = find_touching(Open{}, cloud.at());
+  const Touching found = find_touching(Space{}, cloud.at());
   BOOST_TEST(!found.directed);
   BOOST_TEST(found.overlap == 1.5);
   BOOST_TEST(any_approach(found, cloud.at()));
@@ -155,9 +138,9 @@ BOOST_AUTO_TEST_CASE(takes_no_notice_of_what_cannot_move_on_either_side) {
   BOOST_TEST(found.directed);
   BOOST_TEST(found.overlap == 0.0);
   fixed.inverse_mass[1] = 1.0;
-  BOOST_TEST(find_touching(Open{}, fixed.at()).contacts.size() == 1U);
+  BOOST_TEST(find_touching(Space{}, fixed.at()).contacts.size() == 1U);
   fixed.inverse_mass.head<2>() << 1.0, 0.0;
-  BOOST_TEST(find_touching(Open{}, fixed.at()).contacts.size() == 1U);
+  BOOST_TEST(find_touching(Space{}, fixed.at()).contacts.size() == 1U);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
@@ -186,7 +169,7 @@ BOOST_AUTO_TEST_SUITE(resolve_impacts_)
 // v_1 = 0, v_2 = 0.5. Energy 2 + 1 before, (4 0.25)/2 + 1 after.
 BOOST_AUTO_TEST_CASE(changes_velocities_and_reports_what_it_did) {
   const auto [jump, velocity] =
-      resolved(Contact{.restitution = ConstantRestitution{0.5}}, in_a_row(), Open{}, Vectors::Zero(3, 3), 0.1);
+      resolved(Contact{.restitution = ConstantRestitution{0.5}}, in_a_row(), Space{}, Vectors::Zero(3, 3), 0.1);
   BOOST_TEST(close(velocity, Vectors{{0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.5, 0.0, 0.0}}, {.absolute = 1e-15}));
   BOOST_TEST(jump.impacts == 2);
   BOOST_TEST(jump.energy_change == -1.5, tolerance(1e-15));
@@ -201,7 +184,7 @@ BOOST_AUTO_TEST_CASE(divides_the_other_forces_by_each_mass_and_acts_for_gamma_dt
   cloud.particles.position.row(2) << 0.0, 9.0, 0.0;
   const Vectors force{{3.0, 0.0, 0.0}, {-2.0, 0.0, 0.0}, {50.0, 50.0, 50.0}};
   const auto [jump, velocity] =
-      resolved(Contact{.restitution = ConstantRestitution{0.25}, .gamma = 0.5}, cloud, Open{}, force, 0.5);
+      resolved(Contact{.restitution = ConstantRestitution{0.25}, .gamma = 0.5}, cloud, Space{}, force, 0.5);
   BOOST_TEST(velocity(0, 0) == 2.0 - 7.0 / 3.0, tolerance(1e-14));
   BOOST_TEST(velocity(1, 0) == 7.0 / 6.0, tolerance(1e-14));
   BOOST_TEST(jump.impacts == 1);
@@ -214,7 +197,7 @@ BOOST_AUTO_TEST_CASE(takes_no_acceleration_from_what_is_immovable) {
   cloud.particles.velocity.row(1).setZero();
   const Vectors force{{0.0, 0.0, 0.0}, {-1000.0, 0.0, 0.0}, {0.0, 0.0, 0.0}};
   const auto [jump, velocity] =
-      resolved(Contact{.restitution = ConstantRestitution{0.5}, .gamma = 0.5}, cloud, Open{}, force, 0.5);
+      resolved(Contact{.restitution = ConstantRestitution{0.5}, .gamma = 0.5}, cloud, Space{}, force, 0.5);
   BOOST_TEST(close(velocity, Vectors{{-1.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}}, {}));
   BOOST_TEST(jump.energy_change == -1.5);
 }
@@ -227,16 +210,16 @@ BOOST_AUTO_TEST_CASE(hands_on_its_friction_and_its_resolution) {
   // |J| = 4/3 at e = 0, so sliding with mu_d = 0.1 takes 2/15 of the 0.5 m/s.
   Contact<ConstantRestitution, Friction> law{.restitution = {0.0}, .friction = {.mu_s = 0.1, .mu_d = 0.1}};
   law.resolution = Resolution::summed;
-  const auto [jump, velocity] = resolved(law, cloud, Open{}, none, 0.1);
+  const auto [jump, velocity] = resolved(law, cloud, Space{}, none, 0.1);
   BOOST_TEST(velocity(0, 2) == 0.5 - 2.0 / 15.0, tolerance(1e-14));
   BOOST_TEST(jump.impacts == 1);  // the hit is not passed on to the third
-  BOOST_TEST(resolved(Contact{.restitution = ConstantRestitution{0.0}}, cloud, Open{}, none, 0.1).jump.impacts > 1);
+  BOOST_TEST(resolved(Contact{.restitution = ConstantRestitution{0.0}}, cloud, Space{}, none, 0.1).jump.impacts > 1);
 }
 
 BOOST_AUTO_TEST_CASE(names_two_particles_with_the_same_centre) {
   Moment cloud = in_a_row();
   cloud.particles.position.row(2) = cloud.particles.position.row(1);
-  const auto [jump, velocity] = resolved(Contact{}, cloud, Open{}, Vectors::Zero(3, 3), 0.1);
+  const auto [jump, velocity] = resolved(Contact{}, cloud, Space{}, Vectors::Zero(3, 3), 0.1);
   BOOST_TEST(jump.unsettled ==
              "particles 1 and 2 touch with the same centre, so there is no direction to part them in: start them "
              "apart, or take a smaller step");
@@ -250,8 +233,8 @@ BOOST_AUTO_TEST_CASE(hands_on_what_could_not_be_settled) {
                  .velocity = Vectors{{0.0, 0.0, 1.0}},
                  .mass = Eigen::VectorXd::Ones(1),
                  .radius = Eigen::VectorXd::Ones(1)}};
-  const Walled slot{{Wall{.point = {0.0, 0.0, -1.0}, .normal = {0.0, 0.0, 1.0}},
-                     Wall{.point = {0.0, 0.0, 1.0}, .normal = {0.0, 0.0, -1.0}}}};
+  const Space slot{{Wall{.point = {0.0, 0.0, -1.0}, .normal = {0.0, 0.0, 1.0}},
+                    Wall{.point = {0.0, 0.0, 1.0}, .normal = {0.0, 0.0, -1.0}}}};
   const Jump jump = resolved(Contact{}, jammed, slot, Vectors::Zero(1, 3), 0.1).jump;
   BOOST_TEST(jump.unsettled.find("of 2 contacts that hang together still approach") != std::string::npos);
 }

@@ -10,34 +10,13 @@
 namespace tests::located_contact_test {
 
 using boost::test_tools::tolerance;
-using particulate::laws::Conservative;
-using particulate::contact::ConstantRestitution;
-using particulate::contact::Contact;
-using particulate::contact::find_touching;
-using particulate::contact::first_impact;
-using particulate::contact::Friction;
-using particulate::contact::Impacts;
-using particulate::contact::LocatedContact;
-using particulate::contact::LocatesImpacts;
-using particulate::laws::At<laws::Velocity>;
-using particulate::contact::Resolution;
-using particulate::contact::resolve_impacts;
-using particulate::contact::Restitution;
-using particulate::contact::RoundingGap;
-using particulate::contact::Touching;
-using particulate::contact::touching_tolerance;
-using particulate::contact::validate;
-using particulate::laws::Validated;
-using particulate::kinematics::Space;
-using particulate::kinematics::Particles;
-using particulate::kinematics::Vectors;
-using particulate::kinematics::Wall;
-using particulate::kinematics::Space;
-using particulate::schemes::Jump;
-using particulate::schemes::State;
+using namespace particulate::contact;
+using namespace particulate::kinematics;
+using namespace particulate::laws;
+using namespace particulate::schemes;
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-const Walled ground{{Wall{}}};
+const Space ground{{Wall{}}};
 
 // Every particle on its own parabola.
 struct Flight {
@@ -45,7 +24,7 @@ struct Flight {
   Vectors acceleration = Vectors::Zero(particles.size(), 3);
   double dt = 1.0;
   int intervals = 8;
-  void operator()(double theta, Motion& there) const {
+  void operator()(double theta, State& there) const {
     const double t = theta * dt;
     there.t = t;
     there.r = (particles.position + t * particles.velocity + 0.5 * t * t * acceleration).reshaped();
@@ -54,8 +33,8 @@ struct Flight {
 };
 
 static_assert(Impacts<LocatedContact<>> && Impacts<LocatedContact<Restitution, Friction>> &&
-              Validated<LocatedContact<>> && Conservative<LocatedContact<>, Open>);
-static_assert(LocatesImpacts<LocatedContact<>, Open, Flight> && !LocatesImpacts<Contact<>, Open, Flight>);
+              Validated<LocatedContact<>> && Conservative<LocatedContact<>, Space>);
+static_assert(LocatesImpacts<LocatedContact<>, Space> && !LocatesImpacts<Contact<>, Space>);
 
 Particles spheres(const Vectors& position, const Vectors& velocity, double radius = 0.5) {
   const Eigen::Index N = position.rows();
@@ -67,7 +46,14 @@ Particles spheres(const Vectors& position, const Vectors& velocity, double radiu
 
 template <class D>
 std::optional<double> first(const Flight& flight, const D& domain, double end = 1.0) {
-  return first_impact(LocatedContact{}, domain, flight.particles.radius, inverse_masses(flight.particles), flight, end);
+  const State start;  // the flight knows its own
+  const StepPath path{.scheme = &flight,
+                      .at = [](const void* of, const State&, double, double theta,
+                               State& there) { (*static_cast<const Flight*>(of))(theta, there); },
+                      .from = start,
+                      .dt = flight.dt,
+                      .intervals = flight.intervals};
+  return first_impact(LocatedContact{}, domain, flight.particles.radius, inverse_masses(flight.particles), path, end);
 }
 
 template <class L, class D>
@@ -91,25 +77,28 @@ BOOST_AUTO_TEST_CASE(accepts_the_defaults_and_refuses_what_its_parts_refuse) {
 
 BOOST_AUTO_TEST_SUITE_END()
 
-BOOST_AUTO_TEST_SUITE(RoundingGap_)
+BOOST_AUTO_TEST_SUITE(ClosedGap_)
 
 BOOST_AUTO_TEST_CASE(is_a_part_of_the_radii_and_some_roundings_of_the_places) {
   Moment pair{spheres(Vectors{{0.0, 3.0, 4.0}, {0.0, 3.0, 5.0}}, Vectors::Zero(2, 3))};
   constexpr double eps = std::numeric_limits<double>::epsilon();
-  const RoundingGap gap = touching_tolerance(LocatedContact<>{.touching = 1e-9});
-  BOOST_TEST(gap(pair.at(), 0, 1) == 1e-9 + 16.0 * eps * (5.0 + std::sqrt(34.0)), tolerance(1e-12));
-  BOOST_TEST(gap(pair.at(), 0, -1) == 0.5e-9 + 16.0 * eps * 5.0, tolerance(1e-12));
+  const ClosedGap gap = touching_tolerance(LocatedContact<>{.touching = 1e-9});
+  BOOST_TEST(
+      gap.between(pair.particles.position, pair.particles.radius, 0, 1) == 1e-9 + 16.0 * eps * (5.0 + std::sqrt(34.0)),
+      tolerance(1e-12));
+  BOOST_TEST(gap.between(pair.particles.position, pair.particles.radius, 0, -1) == 0.5e-9 + 16.0 * eps * 5.0,
+             tolerance(1e-12));
 }
 
 BOOST_AUTO_TEST_CASE(lets_a_gap_below_it_touch_and_counts_no_overlap_for_it) {
   for (const double gap : {1e-13, -1e-13}) {
     const Moment pair{spheres(Vectors{{0.0, 0.0, 0.0}, {1.0 + gap, 0.0, 0.0}}, Vectors::Zero(2, 3))};
-    const Touching found = find_touching(Open{}, pair.at(), touching_tolerance(LocatedContact{}));
+    const Touching found = find_touching(Space{}, pair.at(), touching_tolerance(LocatedContact{}));
     BOOST_TEST(found.contacts.size() == 1U);
     BOOST_TEST(found.overlap == std::max(0.0, -gap), tolerance(1e-2));
   }
   const Moment apart{spheres(Vectors{{0.0, 0.0, 0.0}, {1.0 + 1e-10, 0.0, 0.0}}, Vectors::Zero(2, 3))};
-  BOOST_TEST(find_touching(Open{}, apart.at(), touching_tolerance(LocatedContact{})).contacts.empty());
+  BOOST_TEST(find_touching(Space{}, apart.at(), touching_tolerance(LocatedContact{})).contacts.empty());
 }
 
 BOOST_AUTO_TEST_SUITE_END()
@@ -119,12 +108,12 @@ BOOST_AUTO_TEST_SUITE(first_impact_)
 // A gap of 1 closes at 2 + 3 m/s.
 BOOST_AUTO_TEST_CASE(is_where_two_spheres_touch) {
   const Flight flight{spheres(Vectors{{0.0, 0.0, 0.0}, {2.0, 0.0, 0.0}}, Vectors{{2.0, 0.0, 0.0}, {-3.0, 0.0, 0.0}})};
-  BOOST_TEST(first(flight, Open{}).value() == 0.2, tolerance(1e-15));
+  BOOST_TEST(first(flight, Space{}).value() == 0.2, tolerance(1e-15));
   Flight slow = flight;
   slow.dt = 0.1;
-  BOOST_TEST(!first(slow, Open{}).has_value());
+  BOOST_TEST(!first(slow, Space{}).has_value());
   slow.dt = 0.19;
-  BOOST_TEST(first(slow, Open{}, 1.1).value() == 0.2 / 0.19, tolerance(1e-15));
+  BOOST_TEST(first(slow, Space{}, 1.1).value() == 0.2 / 0.19, tolerance(1e-15));
 }
 
 // From 1.25 m above the ground with g = 10: 0.75 = 5 t^2 for the lowest point.
@@ -132,13 +121,13 @@ BOOST_AUTO_TEST_CASE(is_where_a_sphere_touches_a_wall) {
   Flight flight{spheres(Vectors{{0.0, 0.0, 1.25}}, Vectors{{3.0, 1.0, 0.0}})};
   flight.acceleration(0, 2) = -10.0;
   BOOST_TEST(first(flight, ground).value() == std::sqrt(0.15), tolerance(1e-15));
-  BOOST_TEST(!first(flight, Open{}).has_value());
+  BOOST_TEST(!first(flight, Space{}).has_value());
 }
 
 BOOST_AUTO_TEST_CASE(is_the_earliest_of_all) {
   const Flight flight{spheres(Vectors{{0.0, 0.0, 9.0}, {2.0, 0.0, 9.0}, {0.0, 0.0, 5.0}},
                               Vectors{{2.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, {0.0, 0.0, -6.0}})};
-  BOOST_TEST(first(flight, Open{}).value() == 0.5, tolerance(1e-15));
+  BOOST_TEST(first(flight, Space{}).value() == 0.5, tolerance(1e-15));
   BOOST_TEST(first(flight, ground).value() == 0.5, tolerance(1e-15));
   Flight longer = flight;
   longer.particles.velocity(2, 2) = -10.0;
@@ -150,14 +139,14 @@ BOOST_AUTO_TEST_CASE(sees_a_short_overlap_between_samples) {
   const double miss = 1.0 - 5e-7;
   Flight flight{spheres(Vectors{{-0.47, miss, 0.0}, {0.0, 0.0, 0.0}}, Vectors{{1.0, 0.0, 0.0}, {0.0, 0.0, 0.0}})};
   flight.dt = 0.47;
-  BOOST_TEST(first(flight, Open{}, 1.1).value() == 1.0 - std::sqrt(1.0 - miss * miss) / 0.47, tolerance(1e-9));
+  BOOST_TEST(first(flight, Space{}, 1.1).value() == 1.0 - std::sqrt(1.0 - miss * miss) / 0.47, tolerance(1e-9));
 }
 
 BOOST_AUTO_TEST_CASE(is_none_for_a_near_miss_and_for_a_touch_without_approach) {
   for (const double miss : {1.0 + 1e-9, 1.0}) {
     Flight flight{spheres(Vectors{{-0.47, miss, 0.0}, {0.0, 0.0, 0.0}}, Vectors{{1.0, 0.0, 0.0}, {0.0, 0.0, 0.0}})};
     flight.dt = 0.47;  // the scheme's own end is no doubt
-    BOOST_TEST(!first(flight, Open{}, 1.1).has_value());
+    BOOST_TEST(!first(flight, Space{}, 1.1).has_value());
   }
 }
 
@@ -166,23 +155,23 @@ BOOST_AUTO_TEST_CASE(is_where_bodies_come_nearest_as_long_as_it_is_in_doubt) {
   for (const double miss : {1.0 + 1e-9, 1.0 + 9e-5}) {
     const Flight flight{
         spheres(Vectors{{-0.47, miss, 0.0}, {0.0, 0.0, 0.0}}, Vectors{{1.0, 0.0, 0.0}, {0.0, 0.0, 0.0}})};
-    BOOST_TEST(first(flight, Open{}).value() == 0.47, tolerance(1e-14));
+    BOOST_TEST(first(flight, Space{}).value() == 0.47, tolerance(1e-14));
   }
   const Flight far{spheres(Vectors{{-0.47, 1.0002, 0.0}, {0.0, 0.0, 0.0}}, Vectors{{1.0, 0.0, 0.0}, {0.0, 0.0, 0.0}})};
-  BOOST_TEST(!first(far, Open{}).has_value());
+  BOOST_TEST(!first(far, Space{}).has_value());
 }
 
 BOOST_AUTO_TEST_CASE(is_none_for_bodies_that_touch_or_overlap_and_part) {
   for (const double d : {1.0, 1.0 - 1e-13, 0.5}) {
     const Flight flight{spheres(Vectors{{0.0, 0.0, 0.0}, {d, 0.0, 0.0}}, Vectors{{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}})};
-    BOOST_TEST(!first(flight, Open{}).has_value());
+    BOOST_TEST(!first(flight, Space{}).has_value());
   }
 }
 
 BOOST_AUTO_TEST_CASE(comes_at_once_for_bodies_that_touch_or_overlap_and_approach) {
   for (const double d : {1.0, 1.0 - 1e-13, 0.5}) {
     const Flight flight{spheres(Vectors{{0.0, 0.0, 0.0}, {d, 0.0, 0.0}}, Vectors{{0.0, 0.0, 0.0}, {-1.0, 0.0, 0.0}})};
-    const double theta = first(flight, Open{}).value();
+    const double theta = first(flight, Space{}).value();
     BOOST_TEST(theta > 0.0);
     BOOST_TEST(theta < 2e-12);
   }
@@ -207,9 +196,9 @@ BOOST_AUTO_TEST_CASE(is_where_bodies_touch_once_they_have_been_apart) {
 BOOST_AUTO_TEST_CASE(leaves_alone_what_cannot_move_and_what_does_not_exist) {
   Flight flight{spheres(Vectors{{0.0, 0.0, 0.0}, {2.0, 0.0, 0.0}}, Vectors{{2.0, 0.0, 0.0}, {-3.0, 0.0, 0.0}})};
   flight.particles.immovable = {true, true};
-  BOOST_TEST(!first(flight, Open{}).has_value());
+  BOOST_TEST(!first(flight, Space{}).has_value());
   flight.particles.immovable = {true, false};
-  BOOST_TEST(first(flight, Open{}).has_value());
+  BOOST_TEST(first(flight, Space{}).has_value());
   const Flight nobody{spheres(Vectors(0, 3), Vectors(0, 3))};
   BOOST_TEST(!first(nobody, ground).has_value());
 }
@@ -233,7 +222,7 @@ BOOST_AUTO_TEST_CASE(sends_back_at_once) {
 BOOST_AUTO_TEST_CASE(resolves_a_symmetric_hit_as_one_group) {
   const Moment three{spheres(Vectors{{-1.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, {1.0 + 1e-14, 0.0, 0.0}},
                              Vectors{{1.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, {-1.0, 0.0, 0.0}})};
-  const auto [jump, velocity] = resolved(LocatedContact{}, three, Open{}, Vectors::Zero(3, 3));
+  const auto [jump, velocity] = resolved(LocatedContact{}, three, Space{}, Vectors::Zero(3, 3));
   BOOST_TEST(close(velocity, Vectors{{-1.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}}, {.absolute = 1e-15}));
   BOOST_TEST(jump.impacts == 2);
 }
@@ -254,7 +243,7 @@ BOOST_AUTO_TEST_CASE(refuses_what_comes_to_rest_and_tells_when) {
 BOOST_AUTO_TEST_CASE(refuses_what_stays_pressed_without_restitution) {
   const LocatedContact law{.restitution = ConstantRestitution{0.0}};
   const Moment pair{spheres(Vectors{{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}}, Vectors{{1.0, 0.0, 0.0}, {0.0, 0.0, 0.0}})};
-  const Jump jump = resolved(law, pair, Open{}, Vectors{{1.0, 0.0, 0.0}, {0.0, 0.0, 0.0}}).jump;
+  const Jump jump = resolved(law, pair, Space{}, Vectors{{1.0, 0.0, 0.0}, {0.0, 0.0, 0.0}}).jump;
   BOOST_TEST(jump.unsettled.find("particles 0 and 1 come to rest on each other") == 0U);
   BOOST_TEST(jump.accumulates == 3.0);
 }
@@ -265,7 +254,7 @@ BOOST_AUTO_TEST_CASE(lets_bodies_stay_together_that_nothing_presses) {
   const Moment pair{spheres(Vectors{{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}}, Vectors{{1.0, 0.0, 0.0}, {0.0, 0.0, 0.0}})};
   for (const Vectors& force : {Vectors{{-1.0, 0.0, 0.0}, {1.0, 0.0, 0.0}}, Vectors{{0.3, 0.1, 0.7}, {0.3, 0.1, 0.7}},
                                Vectors{{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}}}) {
-    const auto [jump, velocity] = resolved(law, pair, Open{}, force);
+    const auto [jump, velocity] = resolved(law, pair, Space{}, force);
     BOOST_TEST(jump.unsettled.empty());
     BOOST_TEST(close(velocity, Vectors{{0.5, 0.0, 0.0}, {0.5, 0.0, 0.0}}, {}));
   }
@@ -273,7 +262,7 @@ BOOST_AUTO_TEST_CASE(lets_bodies_stay_together_that_nothing_presses) {
 
 BOOST_AUTO_TEST_CASE(tells_of_two_particles_with_the_same_centre) {
   const Moment pair{spheres(Vectors{{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}}, Vectors::Zero(2, 3))};
-  BOOST_TEST(resolved(LocatedContact{}, pair, Open{}, Vectors::Zero(2, 3))
+  BOOST_TEST(resolved(LocatedContact{}, pair, Space{}, Vectors::Zero(2, 3))
                  .jump.unsettled.find("particles 0 and 1 touch with the same centre") == 0U);
 }
 

@@ -14,15 +14,17 @@ struct Moment {
   particulate::kinematics::Particles particles;                                       ///< all of them
   Eigen::VectorXd inverse_mass = particulate::kinematics::inverse_masses(particles);  ///< computed once
   double t = 3.0;                                                                     ///< time [s]
+  mutable particulate::laws::Scratch scratch = {};                                    ///< of whoever looks at it
 
   /// @return the view, as long as the moment lives
-  particulate::laws::At<laws::Velocity> at() const {
+  particulate::laws::At<particulate::laws::Velocity> at() const {
     using particulate::kinematics::Vectors;
     const Eigen::Index N = particles.size();
     return {{.t = t,
              .position = Eigen::Map<const Vectors>(particles.position.data(), N, 3),
              .mass = particles.mass,
-             .radius = particles.radius},
+             .radius = particles.radius,
+             .scratch = scratch},
             Eigen::Map<const Vectors>(particles.velocity.data(), N, 3),
             inverse_mass};
   }

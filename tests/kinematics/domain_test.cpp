@@ -8,13 +8,7 @@
 
 namespace tests::domain_test {
 
-using particulate::kinematics::Domain;
-using particulate::kinematics::HasWalls;
-using particulate::kinematics::height_above;
-using particulate::kinematics::Space;
-using particulate::kinematics::validate;
-using particulate::kinematics::Wall;
-using particulate::kinematics::Space;
+using namespace particulate::kinematics;
 
 struct WithoutSeparation {};
 
@@ -24,8 +18,7 @@ struct Coarse {};
   return Eigen::Vector3f::Zero();
 }
 
-static_assert(Domain<Open>);
-static_assert(Domain<Walled> && HasWalls<Walled> && !HasWalls<Open>);
+static_assert(Domain<Space> && HasWalls<Space>);
 static_assert(!Domain<WithoutSeparation>, "a type is no domain without a separation");
 static_assert(!Domain<Coarse>, "a separation is a Vector3d");
 
@@ -33,19 +26,19 @@ BOOST_AUTO_TEST_SUITE(separation_)
 
 BOOST_AUTO_TEST_CASE(leads_from_the_first_place_to_the_second) {
   const Eigen::Vector3d from(1.0, -2.0, 0.5), to(4.0, 2.0, 0.25);
-  BOOST_TEST(close(separation(Open{}, from, to), Eigen::Vector3d(3.0, 4.0, -0.25), {}));
-  BOOST_TEST(close(separation(Open{}, from, to), -separation(Open{}, to, from), {}));
+  BOOST_TEST(close(separation(Space{}, from, to), Eigen::Vector3d(3.0, 4.0, -0.25), {}));
+  BOOST_TEST(close(separation(Space{}, from, to), -separation(Space{}, to, from), {}));
 }
 
 BOOST_AUTO_TEST_CASE(passes_through_walls) {
-  const Walled halves{{Wall{.point = {2.0, 0.0, 0.0}, .normal = {1.0, 0.0, 0.0}}}};
+  const Space halves{{Wall{.point = {2.0, 0.0, 0.0}, .normal = {1.0, 0.0, 0.0}}}};
   const Eigen::Vector3d from(1.0, -2.0, 0.5), to(4.0, 2.0, 0.25);
   BOOST_TEST(close(separation(halves, from, to), Eigen::Vector3d(3.0, 4.0, -0.25), {}));
 }
 
 BOOST_AUTO_TEST_CASE(vanishes_between_a_place_and_itself) {
   const Eigen::Vector3d here(1e300, -1e-300, 0.1);
-  BOOST_TEST(close(separation(Open{}, here, here), Eigen::Vector3d::Zero(), {}));
+  BOOST_TEST(close(separation(Space{}, here, here), Eigen::Vector3d::Zero(), {}));
 }
 
 BOOST_AUTO_TEST_SUITE_END()
@@ -67,10 +60,10 @@ BOOST_AUTO_TEST_SUITE_END()
 BOOST_AUTO_TEST_SUITE(walls_)
 
 BOOST_AUTO_TEST_CASE(are_those_of_the_domain_in_order) {
-  const Walled room{{Wall{}, Wall{.point = {0.0, 0.0, 2.0}, .normal = {0.0, 0.0, -1.0}}}};
+  const Space room{{Wall{}, Wall{.point = {0.0, 0.0, 2.0}, .normal = {0.0, 0.0, -1.0}}}};
   BOOST_REQUIRE(walls(room).size() == 2U);
   BOOST_TEST(walls(room)[1].point.z() == 2.0);
-  BOOST_TEST(walls(Walled{}).empty());
+  BOOST_TEST(walls(Space{}).empty());
 }
 
 BOOST_AUTO_TEST_SUITE_END()
@@ -78,15 +71,15 @@ BOOST_AUTO_TEST_SUITE_END()
 BOOST_AUTO_TEST_SUITE(validate_)
 
 BOOST_AUTO_TEST_CASE(accepts_unit_normals_to_rounding_and_no_wall_at_all) {
-  BOOST_CHECK_NO_THROW(validate(Walled{}));
+  BOOST_CHECK_NO_THROW(validate(Space{}));
   const double third = 1.0 / std::sqrt(3.0);
-  BOOST_CHECK_NO_THROW(validate(Walled{{Wall{}, Wall{.normal = {third, third, -third}}}}));
+  BOOST_CHECK_NO_THROW(validate(Space{{Wall{}, Wall{.normal = {third, third, -third}}}}));
 }
 
 BOOST_AUTO_TEST_CASE(names_the_wall_what_must_hold_and_what_was_given) {
   constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
   const auto refuses = [](const Wall& wall, const char* words) {
-    BOOST_CHECK_EXCEPTION(validate(Walled{{Wall{}, wall}}), std::invalid_argument, says(words));
+    BOOST_CHECK_EXCEPTION(validate(Space{{Wall{}, wall}}), std::invalid_argument, says(words));
   };
   refuses({.normal = {0.0, 3.0, 4.0}}, "wall 1: its normal must be a unit vector, got (0, 3, 4) of length 5; divide");
   refuses({.normal = {0.0, 0.0, 1.000001}}, "wall 1: its normal must be a unit vector");

@@ -9,20 +9,12 @@
 
 namespace tests::gravity_test {
 
-using particulate::laws::Conservative;
-using particulate::contact::PositionForce;
-using particulate::kinematics::Space;
-using particulate::kinematics::Particles;
-using particulate::kinematics::Vectors;
-using particulate::kinematics::Space;
-using particulate::laws::Gravity;
-using particulate::scenes::Scene;
-using particulate::scenes::start;
-using particulate::scenes::validate;
-using particulate::schemes::State;
+using namespace particulate::kinematics;
+using namespace particulate::laws;
+using namespace particulate::scenes;
+using namespace particulate::schemes;
 
-static_assert(PositionForce<Gravity, Open> && Conservative<Gravity, Open>);
-static_assert(PositionForce<Gravity, Walled> && Conservative<Gravity, Walled>);
+static_assert(AddsForce<Gravity, Space, At<>> && Conservative<Gravity, Space>);
 
 Particles two_particles() {
   return {.position = Vectors{{1.0, 2.0, 3.0}, {-4.0, 0.5, 0.0}},
@@ -45,7 +37,7 @@ BOOST_AUTO_TEST_CASE(says_what_was_given) {
   BOOST_CHECK_EXCEPTION(validate(Gravity{{0.0, 1.0, infinity}}), std::invalid_argument,
                         says("gravity: g must be finite, got (0, 1, inf) m/s^2"));
   BOOST_CHECK_EXCEPTION(validate(Gravity{{not_a_number, 0.0, 0.0}}), std::invalid_argument, says("got (nan, 0, 0)"));
-  BOOST_CHECK_EXCEPTION(Scene(two_particles(), Open{}, Gravity{{0.0, 1.0, infinity}}), std::invalid_argument,
+  BOOST_CHECK_EXCEPTION(Scene(two_particles(), Space{}, Gravity{{0.0, 1.0, infinity}}), std::invalid_argument,
                         says("gravity: g must be finite"));
 }
 
@@ -54,7 +46,7 @@ BOOST_AUTO_TEST_SUITE_END()
 BOOST_AUTO_TEST_SUITE(add_force_)
 
 BOOST_AUTO_TEST_CASE(weighs_each_particle_by_its_mass) {
-  const Scene scene(two_particles(), Open{}, Gravity{{1.0, -2.0, 0.5}});
+  const Scene scene(two_particles(), Space{}, Gravity{{1.0, -2.0, 0.5}});
   Eigen::VectorXd f(6), expected(6);
   expected << 2.0, 4.0, -4.0, -8.0, 1.0, 2.0;
   BOOST_TEST(scene.total_force(start(scene), f));
@@ -62,7 +54,7 @@ BOOST_AUTO_TEST_CASE(weighs_each_particle_by_its_mass) {
 }
 
 BOOST_AUTO_TEST_CASE(is_added_to_other_forces) {
-  const Scene twice(two_particles(), Walled{}, Gravity{{1.0, 0.0, 0.0}}, Gravity{{0.5, 0.0, 0.0}});
+  const Scene twice(two_particles(), Space{}, Gravity{{1.0, 0.0, 0.0}}, Gravity{{0.5, 0.0, 0.0}});
   Eigen::VectorXd f(6), expected(6);
   expected << 3.0, 6.0, 0.0, 0.0, 0.0, 0.0;
   BOOST_TEST(twice.total_force(start(twice), f));
@@ -71,7 +63,7 @@ BOOST_AUTO_TEST_CASE(is_added_to_other_forces) {
 
 // Every mass falls alike, and by default as on the earth, along -z.
 BOOST_AUTO_TEST_CASE(accelerates_all_alike) {
-  const Scene scene(two_particles(), Open{}, Gravity{});
+  const Scene scene(two_particles(), Space{}, Gravity{});
   Eigen::VectorXd a(6), expected(6);
   expected << 0.0, 0.0, 0.0, 0.0, -9.81, -9.81;
   BOOST_TEST(scene.acceleration(0.0, start(scene).r, a));
@@ -84,16 +76,16 @@ BOOST_AUTO_TEST_SUITE(potential_energy_)
 
 // -2 (1 - 4 + 1.5) - 4 (-4 - 1 + 0) = 3 + 20.
 BOOST_AUTO_TEST_CASE(is_the_weight_times_the_height) {
-  const Scene scene(two_particles(), Open{}, Gravity{{1.0, -2.0, 0.5}});
+  const Scene scene(two_particles(), Space{}, Gravity{{1.0, -2.0, 0.5}});
   BOOST_TEST(scene.potential_energy(start(scene)) == 23.0);
-  const Scene earth(two_particles(), Walled{}, Gravity{{0.0, 0.0, -10.0}});
+  const Scene earth(two_particles(), Space{}, Gravity{{0.0, 0.0, -10.0}});
   BOOST_TEST(earth.potential_energy(start(earth)) == 60.0);
 }
 
 // A linear potential: any displacement s of particle i changes it by -f_i.s.
 BOOST_AUTO_TEST_CASE(falls_by_the_work_of_the_force) {
-  const Scene scene(two_particles(), Open{}, Gravity{{1.0, -2.0, 0.5}});
-  Motion state = start(scene);
+  const Scene scene(two_particles(), Space{}, Gravity{{1.0, -2.0, 0.5}});
+  State state = start(scene);
   const double before = scene.potential_energy(state);
   Eigen::VectorXd f(6);
   BOOST_TEST(scene.total_force(state, f));

@@ -16,22 +16,8 @@
 namespace tests::near_field_test {
 
 using boost::test_tools::tolerance;
-using particulate::laws::best_kernel;
-using particulate::laws::charges;
-using particulate::laws::Forces;
-using particulate::laws::is_available;
-using particulate::laws::is_full;
-using particulate::laws::Kernel;
-using particulate::contact::name;
-using particulate::laws::NearField;
-using particulate::laws::pair_law;
-using particulate::laws::At<>;
-using particulate::laws::Scaling;
-using particulate::contact::validate;
-using particulate::kinematics::CentralForce;
-using particulate::kinematics::moment;
-using particulate::kinematics::Space;
-using particulate::kinematics::Vectors;
+using namespace particulate::kinematics;
+using namespace particulate::laws;
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -41,12 +27,14 @@ constexpr double pi = std::numbers::pi;
 struct Cloud {
   Vectors position;
   Eigen::VectorXd mass, radius;
+  mutable particulate::laws::Scratch scratch = {};
 
-  Places places() const {
+  At<> places() const {
     return {.t = 0.0,
             .position = Eigen::Map<const Vectors>(position.data(), position.rows(), 3),
             .mass = mass,
-            .radius = radius};
+            .radius = radius,
+            .scratch = scratch};
   }
 };
 
@@ -221,7 +209,7 @@ BOOST_AUTO_TEST_CASE(refuses_a_kernel_that_is_not_there_and_names_those_that_are
     BOOST_CHECK_EXCEPTION(validate(law), std::invalid_argument, says("kernel must be best or one that this build has"));
     BOOST_CHECK_EXCEPTION(validate(law), std::invalid_argument, says("for this processor (baseline"));
     BOOST_CHECK_EXCEPTION(validate(law), std::invalid_argument, says(given));
-    BOOST_CHECK_EXCEPTION(forces(law, Open{}, pair_at(1.0)), std::invalid_argument, says(given));
+    BOOST_CHECK_EXCEPTION(forces(law, Space{}, pair_at(1.0)), std::invalid_argument, says(given));
   }
 }
 
@@ -261,11 +249,11 @@ BOOST_AUTO_TEST_CASE(gives_the_same_bits_every_time_and_as_best) {
     const Cloud cloud = cloud_of(N);
     for (const Kernel kernel : kernels()) {
       const NearField law = with_kernel(kernel, with_exponents({2.0, 3.0}));
-      const Vectors once = forces(law, Open{}, cloud).force;
-      forces(law, Open{}, cloud_of(300));  // leaves something else behind
-      BOOST_TEST(close(forces(law, Open{}, cloud).force, once, {}));
+      const Vectors once = forces(law, Space{}, cloud).force;
+      forces(law, Space{}, cloud_of(300));  // leaves something else behind
+      BOOST_TEST(close(forces(law, Space{}, cloud).force, once, {}));
       if (kernel != best_kernel()) continue;
-      BOOST_TEST(close(forces(with_kernel(Kernel::best, law), Open{}, cloud).force, once, {}));
+      BOOST_TEST(close(forces(with_kernel(Kernel::best, law), Space{}, cloud).force, once, {}));
     }
   }
 }
@@ -277,8 +265,8 @@ BOOST_AUTO_TEST_CASE(is_the_one_that_is_asked_for_but_for_a_handful_of_particles
   for (const Kernel one : kernels()) {
     for (const Kernel other : kernels()) {
       const NearField by_one = with_kernel(one, law), by_other = with_kernel(other, law);
-      BOOST_TEST((forces(by_one, Open{}, many).force == forces(by_other, Open{}, many).force) == (one == other));
-      BOOST_TEST((forces(by_one, Open{}, few).force == forces(by_other, Open{}, few).force));
+      BOOST_TEST((forces(by_one, Space{}, many).force == forces(by_other, Space{}, many).force) == (one == other));
+      BOOST_TEST((forces(by_one, Space{}, few).force == forces(by_other, Space{}, few).force));
     }
   }
 }
@@ -335,7 +323,7 @@ BOOST_AUTO_TEST_CASE(pulls_a_pair_as_multiplied_out_by_hand) {
     law.scaling = scaling;
     Vectors expected(2, 3);
     expected << factor * along, -factor * along;
-    const Added added = forces(law, Open{}, pair_at(2.0));
+    const Added added = forces(law, Space{}, pair_at(2.0));
     BOOST_TEST(added.has_value);
     BOOST_TEST(close(added.force, expected, {.relative = 4.0 * eps}));
   };
@@ -347,7 +335,7 @@ BOOST_AUTO_TEST_CASE(pulls_a_pair_as_multiplied_out_by_hand) {
 BOOST_AUTO_TEST_CASE(adds_to_what_the_forces_hold) {
   const Cloud pair = pair_at(2.0);
   Vectors force{{1.0, 2.0, 3.0}, {4.0, 5.0, 6.0}};
-  BOOST_TEST(add_force(monograph, Open{}, pair.places(), Forces(force.data(), 2, 3)));
+  BOOST_TEST(add_force(monograph, Space{}, pair.places(), Forces(force.data(), 2, 3)));
   BOOST_TEST(close(force, Vectors{{3.25, 2.0, 3.0}, {1.75, 5.0, 6.0}}, {}));
   BOOST_TEST(add_force(monograph, Doubled{}, pair_at(1.0).places(), Forces(force.data(), 2, 3)));
   BOOST_TEST(close(force, Vectors{{5.5, 2.0, 3.0}, {-0.5, 5.0, 6.0}}, {}));
@@ -362,7 +350,7 @@ BOOST_AUTO_TEST_CASE(agrees_with_the_plain_double_loop_for_any_number_of_particl
     for (const Kernel kernel : kernels()) {
       for (const auto& beta : exponents) {
         const NearField law = with_kernel(kernel, with_exponents(beta));
-        agrees_with_the_plain_loop(law, cloud, forces(law, Open{}, cloud));
+        agrees_with_the_plain_loop(law, cloud, forces(law, Space{}, cloud));
       }
     }
   }
@@ -374,7 +362,7 @@ BOOST_AUTO_TEST_CASE(agrees_with_the_plain_double_loop_for_all_scalings) {
       for (const Scaling scaling : {Scaling::mass, Scaling::area, Scaling::pair}) {
         NearField law = with_kernel(kernel, with_exponents({2.0, 3.0}));
         law.scaling = scaling;
-        agrees_with_the_plain_loop(law, cloud_of(N), forces(law, Open{}, cloud_of(N)));
+        agrees_with_the_plain_loop(law, cloud_of(N), forces(law, Space{}, cloud_of(N)));
       }
     }
   }
@@ -396,7 +384,7 @@ BOOST_AUTO_TEST_CASE(asks_any_other_domain_once_a_pair) {
 BOOST_AUTO_TEST_CASE(is_nothing_for_one_particle_and_for_none) {
   long times = 0;
   for (const Eigen::Index N : {0, 1}) {
-    const Added open = forces(monograph, Open{}, cloud_of(N)), other = forces(monograph, Asked{&times}, cloud_of(N));
+    const Added open = forces(monograph, Space{}, cloud_of(N)), other = forces(monograph, Asked{&times}, cloud_of(N));
     BOOST_TEST(open.has_value);
     BOOST_TEST(other.has_value);
     BOOST_TEST(close(open.force, Vectors::Zero(N, 3), {}));
@@ -411,7 +399,7 @@ BOOST_AUTO_TEST_CASE(leaves_no_total_force_and_no_total_moment) {
     for (const auto& beta : exponents) {
       const double terms = plain_double_loop(with_exponents(beta), cloud).terms.sum();
       for (const Kernel kernel : kernels()) {
-        const Added added = forces(with_kernel(kernel, with_exponents(beta)), Open{}, cloud);
+        const Added added = forces(with_kernel(kernel, with_exponents(beta)), Space{}, cloud);
         const double sizes = added.force.rowwise().norm().sum();
         const double arms = added.force.rowwise().norm().dot(cloud.position.rowwise().norm());
         BOOST_TEST_CONTEXT("N = " << N << ", beta = (" << beta[0] << ", " << beta[1] << "), kernel " << name(kernel)) {
@@ -433,14 +421,14 @@ BOOST_AUTO_TEST_CASE(is_minus_the_gradient_of_the_potential_energy) {
   for (const auto& beta : exponents) {
     if (beta[1] > 13.0) continue;  // too steep for differences
     const NearField law = with_exponents(beta);
-    const Added added = forces(law, Open{}, cloud);
+    const Added added = forces(law, Space{}, cloud);
     for (Eigen::Index i = 0; i < 4; ++i) {
       for (Eigen::Index c = 0; c < 3; ++c) {
         Cloud ahead = cloud, behind = cloud;
         ahead.position(i, c) += h;
         behind.position(i, c) -= h;
         const double uphill =
-            (potential_energy(law, Open{}, ahead.places()) - potential_energy(law, Open{}, behind.places())) /
+            (potential_energy(law, Space{}, ahead.places()) - potential_energy(law, Space{}, behind.places())) /
             (2.0 * h);
         BOOST_TEST(std::abs(added.force(i, c) + uphill) < 1e-7);
       }
@@ -459,7 +447,7 @@ BOOST_AUTO_TEST_CASE(has_no_value_where_two_particles_coincide) {
         cloud.position.row(j) = cloud.position.row(i);
         for (const Kernel kernel : kernels()) {
           BOOST_TEST_CONTEXT("particles " << i << " and " << j << " of " << N << ", kernel " << name(kernel)) {
-            BOOST_TEST(!forces(with_kernel(kernel, monograph), Open{}, cloud).has_value);
+            BOOST_TEST(!forces(with_kernel(kernel, monograph), Space{}, cloud).has_value);
           }
         }
         BOOST_TEST(!forces(monograph, Asked{&times}, cloud).has_value);
@@ -480,7 +468,7 @@ BOOST_AUTO_TEST_CASE(has_a_value_where_only_the_origin_is_too_near_or_too_far) {
       for (const Kernel kernel : kernels()) {
         const NearField constant{
             .alpha1 = 1.0, .alpha2 = 0.25, .beta1 = 0.0, .beta2 = 0.0, .scaling = Scaling::pair, .kernel = kernel};
-        agrees_with_the_plain_loop(constant, cloud, forces(constant, Open{}, cloud));
+        agrees_with_the_plain_loop(constant, cloud, forces(constant, Space{}, cloud));
       }
     }
   }
@@ -496,8 +484,8 @@ BOOST_AUTO_TEST_CASE(has_no_value_where_a_place_is_none_or_a_force_is_too_large)
       near.position.row(i).setZero();
       near.position.row(j) << 1e-50, 0.0, 0.0;
       for (const Kernel kernel : kernels()) {
-        BOOST_TEST(!forces(with_kernel(kernel, monograph), Open{}, nowhere).has_value);
-        BOOST_TEST(!forces(with_kernel(kernel, steep), Open{}, near).has_value);
+        BOOST_TEST(!forces(with_kernel(kernel, monograph), Space{}, nowhere).has_value);
+        BOOST_TEST(!forces(with_kernel(kernel, steep), Space{}, near).has_value);
       }
       BOOST_TEST(!forces(monograph, Doubled{}, nowhere).has_value);
       BOOST_TEST(!forces(steep, Doubled{}, near).has_value);
@@ -519,18 +507,18 @@ BOOST_AUTO_TEST_CASE(is_exact_at_extreme_distances_or_has_no_value) {
       return row;
     };
     for (const double d : {1e-150, 1e-100, 1e100, 1e150}) {
-      BOOST_TEST(forces(constant, Open{}, pair_at(d)).force(0, 0) == 0.75, tolerance(4.0 * eps));
+      BOOST_TEST(forces(constant, Space{}, pair_at(d)).force(0, 0) == 0.75, tolerance(4.0 * eps));
       BOOST_TEST(forces(constant, Doubled{}, pair_at(d)).force(0, 0) == 0.75, tolerance(4.0 * eps));
-      const Added added = forces(constant, Open{}, row_at(d));
+      const Added added = forces(constant, Space{}, row_at(d));
       BOOST_TEST(added.has_value);
       for (Eigen::Index i = 0; i < 12; ++i) {
         BOOST_TEST(std::abs(added.force(i, 0) - 0.75 * static_cast<double>(11 - 2 * i)) <= 40.0 * eps);
       }
     }
     for (const double d : {1e-300, 1e-158, 1e160, 1e300}) {
-      BOOST_TEST(!forces(constant, Open{}, pair_at(d)).has_value);
+      BOOST_TEST(!forces(constant, Space{}, pair_at(d)).has_value);
       BOOST_TEST(!forces(constant, Doubled{}, pair_at(d)).has_value);
-      BOOST_TEST(!forces(constant, Open{}, row_at(d)).has_value);
+      BOOST_TEST(!forces(constant, Space{}, row_at(d)).has_value);
     }
   }
 }
@@ -545,7 +533,7 @@ BOOST_AUTO_TEST_CASE(keeps_its_bits_under_powers_of_two) {
       NearField scaled = law;
       scaled.alpha1 *= 64.0;
       scaled.alpha2 *= 512.0;
-      BOOST_TEST(close(forces(scaled, Open{}, big).force, forces(law, Open{}, cloud).force, {}));
+      BOOST_TEST(close(forces(scaled, Space{}, big).force, forces(law, Space{}, cloud).force, {}));
     }
   }
 }
@@ -556,14 +544,14 @@ BOOST_AUTO_TEST_SUITE(potential_energy_)
 
 // 6 (ln 2 - 0.5 (1 - 1/2)).
 BOOST_AUTO_TEST_CASE(of_a_pair_is_as_integrated_by_hand) {
-  BOOST_TEST(potential_energy(monograph, Open{}, pair_at(2.0).places()) == 6.0 * (std::numbers::ln2 - 0.25),
+  BOOST_TEST(potential_energy(monograph, Space{}, pair_at(2.0).places()) == 6.0 * (std::numbers::ln2 - 0.25),
              tolerance(8.0 * eps));
 }
 
 BOOST_AUTO_TEST_CASE(vanishes_at_the_reference_distance) {
   NearField law = monograph;
   law.d_ref = 0.7;
-  BOOST_TEST(potential_energy(law, Open{}, pair_at(0.7).places()) == 0.0);
+  BOOST_TEST(potential_energy(law, Space{}, pair_at(0.7).places()) == 0.0);
   BOOST_TEST(potential_energy(law, Doubled{}, pair_at(0.35).places()) == 0.0);
 }
 
@@ -573,16 +561,16 @@ BOOST_AUTO_TEST_CASE(sums_over_all_pairs_once) {
   law.scaling = Scaling::pair;
   const Cloud line{Vectors{{0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 3.0, 0.0}}, Eigen::Vector3d(1.0, 2.0, 3.0),
                    Eigen::Vector3d::Zero()};
-  BOOST_TEST(potential_energy(law, Open{}, line.places()) == std::log(6.0) - 0.25 - 1.0 / 3.0, tolerance(8.0 * eps));
+  BOOST_TEST(potential_energy(law, Space{}, line.places()) == std::log(6.0) - 0.25 - 1.0 / 3.0, tolerance(8.0 * eps));
 }
 
 BOOST_AUTO_TEST_CASE(is_nothing_for_one_particle_and_for_none) {
-  BOOST_TEST(potential_energy(monograph, Open{}, cloud_of(0).places()) == 0.0);
-  BOOST_TEST(potential_energy(monograph, Open{}, cloud_of(1).places()) == 0.0);
+  BOOST_TEST(potential_energy(monograph, Space{}, cloud_of(0).places()) == 0.0);
+  BOOST_TEST(potential_energy(monograph, Space{}, cloud_of(1).places()) == 0.0);
 }
 
 BOOST_AUTO_TEST_CASE(is_no_finite_number_where_particles_coincide) {
-  BOOST_TEST(!std::isfinite(potential_energy(monograph, Open{}, pair_at(0.0).places())));
+  BOOST_TEST(!std::isfinite(potential_energy(monograph, Space{}, pair_at(0.0).places())));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

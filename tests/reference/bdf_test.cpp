@@ -12,27 +12,14 @@
 
 namespace tests::bdf_test {
 
-using particulate::reference::Adams;
-using particulate::reference::BandedJacobian;
-using particulate::reference::Bdf;
-using particulate::reference::DenseJacobian;
-using particulate::reference::Direction;
-using particulate::reference::Events;
-using particulate::reference::integrate;
-using particulate::reference::Integrator;
-using particulate::schemes::Counted;
-using particulate::schemes::In;
-using particulate::schemes::State;
-using particulate::schemes::Out;
-using particulate::schemes::Outcome;
-using particulate::schemes::Status;
-using particulate::schemes::State;
+using namespace particulate::reference;
+using namespace particulate::schemes;
 
 constexpr double pi = std::numbers::pi;
 
 bool holds(const std::string& text, const std::string& words) { return text.find(words) != std::string::npos; }
 
-Values one(double y) { return {.t = 0.0, .y = Eigen::VectorXd::Constant(1, y)}; }
+State one(double y) { return {.t = 0.0, .y = Eigen::VectorXd::Constant(1, y)}; }
 
 // y' = -1e6 (y - cos t) - sin t: y = cos t + (y_0 - 1) exp(-1e6 t).
 struct Stiff {
@@ -60,7 +47,7 @@ struct RobertsonWithJacobian : Robertson {
   }
 };
 
-Values robertson_start() { return {.t = 0.0, .y = Eigen::Vector3d(1.0, 0.0, 0.0)}; }
+State robertson_start() { return {.t = 0.0, .y = Eigen::Vector3d(1.0, 0.0, 0.0)}; }
 
 // Heat in a rod of 24 nodes between cold ends: the modes sin(k pi i/25) decay at 4 * 25^2 sin^2(k pi/50).
 struct Rod {
@@ -75,8 +62,8 @@ struct Rod {
 };
 
 // Modes 1 and 3 at time t, from amplitudes 1 and 1/2.
-Values rod(double t) {
-  Values at{.t = t, .y = Eigen::VectorXd::Zero(Rod::n)};
+State rod(double t) {
+  State at{.t = t, .y = Eigen::VectorXd::Zero(Rod::n)};
   for (const int mode : {1, 3}) {
     const double decay = std::exp(-2500.0 * std::pow(std::sin(mode * pi / 50.0), 2) * t);
     for (Eigen::Index i = 0; i < Rod::n; ++i) {
@@ -100,7 +87,7 @@ BOOST_AUTO_TEST_SUITE(bdf)
 BOOST_AUTO_TEST_CASE(a_stiff_linear_problem_meets_its_closed_form_at_the_cost_of_a_smooth_one) {
   for (const double start : {1.0, 2.0}) {
     Stiff problem;
-    Values state = one(start);
+    State state = one(start);
     const Outcome out = integrate(problem, state, 3.0, Bdf{.relative = 1e-8, .absolute = 1e-10});
     BOOST_TEST((out.status == Status::reached));
     BOOST_TEST(std::abs(state.y[0] - std::cos(3.0)) < 1e-6);
@@ -108,7 +95,7 @@ BOOST_AUTO_TEST_CASE(a_stiff_linear_problem_meets_its_closed_form_at_the_cost_of
   }
   // Adams is bound by stability to steps of some 1e-6.
   Stiff problem;
-  Values state = one(1.0);
+  State state = one(1.0);
   const Outcome out = integrate(problem, state, 3.0, Adams{.relative = 1e-8, .absolute = 1e-10, .max_steps = 20'000});
   BOOST_TEST((out.status == Status::failed));
   BOOST_TEST(out.t < 0.1);
@@ -120,7 +107,7 @@ BOOST_AUTO_TEST_CASE(robertsons_kinetics_meet_the_published_digits) {
   const Bdf method{.relative = 1e-11, .absolute = 1e-16};
   Robertson plain;
   RobertsonWithJacobian differentiated;
-  Values by_quotients = robertson_start(), by_jacobian = robertson_start();
+  State by_quotients = robertson_start(), by_jacobian = robertson_start();
   BOOST_TEST((integrate(plain, by_quotients, 40.0, method).status == Status::reached));
   BOOST_TEST((integrate(differentiated, by_jacobian, 40.0, method).status == Status::reached));
   BOOST_TEST(close(by_quotients.y, published, {.relative = 1e-9}));
@@ -130,7 +117,9 @@ BOOST_AUTO_TEST_CASE(robertsons_kinetics_meet_the_published_digits) {
 // The quotients of a linear problem are exact to rounding: all else is the same but for 8 right-hand sides a Jacobian.
 BOOST_AUTO_TEST_CASE(a_given_jacobian_takes_the_place_of_difference_quotients) {
   struct Differentiated : Conveyor {
-    static void jacobian(double, In y, Eigen::MatrixXd& J) {
+    long jacobians = 0;
+    void jacobian(double, In y, Eigen::MatrixXd& J) {
+      ++jacobians;
       for (Eigen::Index i = 0; i < y.size(); ++i) {
         J(i, i) = -1000.0;
         if (i > 0) J(i, i - 1) = 1000.0;
@@ -140,19 +129,69 @@ BOOST_AUTO_TEST_CASE(a_given_jacobian_takes_the_place_of_difference_quotients) {
   const Bdf method{.relative = 1e-6, .absolute = 1e-8};
   Conveyor plain;
   Differentiated problem;
-  Counted<Conveyor> counted_plain{plain};
-  Counted<Differentiated> counted{problem};
-  Values state{.t = 0.0, .y = Eigen::VectorXd::Ones(8)}, same = state;
+  long of_plain = 0, evaluations = 0;
+  const Problem counted_plain(plain, &of_plain), counted(problem, &evaluations);
+  State state{.t = 0.0, .y = Eigen::VectorXd::Ones(8)}, same = state;
   Integrator integrator(counted, state, method);
   const Outcome out = integrator.advance(state, 2.0), quotients = integrate(counted_plain, same, 2.0, method);
   BOOST_TEST((out.status == Status::reached && quotients.status == Status::reached));
-  BOOST_TEST(counted.jacobians > 0);
-  BOOST_TEST(out.evaluations == counted.evaluations);
+  BOOST_TEST(problem.jacobians > 0);
+  BOOST_TEST(out.evaluations == evaluations);
   BOOST_TEST(out.evaluations == integrator.evaluations_by_sundials());
-  BOOST_TEST(quotients.evaluations == counted_plain.evaluations);
-  BOOST_TEST(quotients.evaluations == out.evaluations + 8 * counted.jacobians);
+  BOOST_TEST(quotients.evaluations == of_plain);
+  BOOST_TEST(quotients.evaluations == out.evaluations + 8 * problem.jacobians);
   BOOST_TEST(out.sweeps == quotients.sweeps);
   BOOST_TEST(out.steps == quotients.steps);
+}
+
+// y drives a damped spring and is driven by both its place and its speed, stiffly; y rides along where it has no rate.
+struct Coupled {
+  static bool rates(double, In r, In v, In y, Out a, Out dy) {
+    a[0] = -1e4 * r[0] - 1e3 * v[0] + 1e4 * y[0];
+    if (dy.size() > 0) dy[0] = -2e3 * y[0] + 1e3 * r[0] + 10.0 * v[0];
+    return true;
+  }
+};
+struct Carried : Coupled {
+  static constexpr bool values_by_jumps = true;
+};
+
+BOOST_AUTO_TEST_CASE(a_given_jacobian_of_motion_and_values_takes_the_place_of_difference_quotients) {
+  struct Differentiated : Coupled {
+    long jacobians = 0;
+    void jacobian(double, In, In, In, Eigen::MatrixXd& J) {
+      ++jacobians;
+      J << -1e4, -1e3, 1e4, 1e3, 10.0, -2e3;
+    }
+  } problem;
+  Coupled plain;
+  const Bdf method{.relative = 1e-6, .absolute = 1e-8};
+  State state{.r = Eigen::VectorXd::Ones(1), .v = Eigen::VectorXd::Zero(1), .y = Eigen::VectorXd::Ones(1)},
+      same = state;
+  const Outcome out = integrate(problem, state, 0.2, method), quotients = integrate(plain, same, 0.2, method);
+  BOOST_TEST((out.status == Status::reached && quotients.status == Status::reached));
+  BOOST_TEST(problem.jacobians > 0);
+  BOOST_TEST(out.evaluations < quotients.evaluations);
+  BOOST_TEST(std::abs(out.sweeps - quotients.sweeps) <= quotients.sweeps / 10);
+  BOOST_TEST(std::abs(out.steps - quotients.steps) <= quotients.steps / 10);
+  BOOST_TEST(close(flat(state), flat(same), {.relative = 1e-5}));
+}
+
+BOOST_AUTO_TEST_CASE(a_given_jacobian_leaves_out_values_that_change_by_jumps_alone) {
+  struct Carrying : Carried {
+    long jacobians = 0;
+    void jacobian(double, In, In, In, Eigen::MatrixXd& J) {
+      ++jacobians;
+      BOOST_TEST((J.rows() == 1 && J.cols() == 2));
+      J << -1e4, -1e3;
+    }
+  } problem;
+  State state{.r = Eigen::VectorXd::Ones(1), .v = Eigen::VectorXd::Zero(1), .y = Eigen::VectorXd::Constant(1, 0.5)};
+  const Outcome out = integrate(problem, state, 3.0, Bdf{.relative = 1e-8, .absolute = 1e-10});
+  BOOST_TEST((out.status == Status::reached), out.reason);
+  BOOST_TEST(problem.jacobians > 0);
+  BOOST_TEST(state.y[0] == 0.5);
+  BOOST_TEST(std::abs(state.r[0] - 0.5) <= 1e-7);  // where the spring comes to rest
 }
 
 // A Jacobian that is wrong costs iterations and steps.
@@ -160,7 +199,7 @@ BOOST_AUTO_TEST_CASE(a_given_jacobian_of_a_nonlinear_problem_iterates_as_its_quo
   const Bdf method{.relative = 1e-8, .absolute = 1e-12};
   RobertsonWithJacobian problem;
   Robertson plain;
-  Values state = robertson_start(), same = state;
+  State state = robertson_start(), same = state;
   const Outcome out = integrate(problem, state, 40.0, method), quotients = integrate(plain, same, 40.0, method);
   BOOST_TEST(out.evaluations < quotients.evaluations);
   BOOST_TEST(std::abs(out.sweeps - quotients.sweeps) <= quotients.sweeps / 20);
@@ -169,7 +208,7 @@ BOOST_AUTO_TEST_CASE(a_given_jacobian_of_a_nonlinear_problem_iterates_as_its_quo
 
 BOOST_AUTO_TEST_CASE(a_band_does_what_a_full_matrix_does_for_fewer_right_hand_sides) {
   Rod problem;
-  Values full = rod(0.0), banded = rod(0.0);
+  State full = rod(0.0), banded = rod(0.0);
   const Outcome dense = integrate(problem, full, 0.05, Bdf{.relative = 1e-9, .absolute = 1e-12});
   const Outcome band =
       integrate(problem, banded, 0.05,
@@ -188,7 +227,7 @@ BOOST_AUTO_TEST_CASE(a_band_does_what_a_full_matrix_does_for_fewer_right_hand_si
 BOOST_AUTO_TEST_CASE(lower_and_upper_are_told_apart) {
   const auto run = [](const particulate::reference::Jacobian& jacobian) {
     Conveyor problem;
-    Values state{.t = 0.0, .y = Eigen::VectorXd::Ones(8)};
+    State state{.t = 0.0, .y = Eigen::VectorXd::Ones(8)};
     const Outcome out = integrate(problem, state, 2.0, Bdf{.relative = 1e-6, .absolute = 1e-8, .jacobian = jacobian});
     BOOST_TEST((out.status == Status::reached));
     return out;
@@ -211,7 +250,7 @@ BOOST_AUTO_TEST_CASE(a_second_order_problem_is_solved_by_difference_quotients) {
     void jacobian(double, In, Eigen::MatrixXd&) { asked = true; }
   };
   Oscillator problem;
-  Motion state{.t = 0.0, .r = Eigen::VectorXd::Constant(1, 1.0), .v = Eigen::VectorXd::Constant(1, 0.0)};
+  State state{.t = 0.0, .r = Eigen::VectorXd::Constant(1, 1.0), .v = Eigen::VectorXd::Constant(1, 0.0)};
   const Outcome out = integrate(problem, state, 2.0, Bdf{.relative = 1e-9, .absolute = 1e-12});
   BOOST_TEST((out.status == Status::reached));
   BOOST_TEST(!problem.asked);
@@ -225,7 +264,7 @@ BOOST_AUTO_TEST_CASE(a_second_order_problem_is_solved_by_difference_quotients) {
 BOOST_AUTO_TEST_CASE(every_setting_reaches_cvode) {
   const auto steps_with = [](const Bdf& method) {
     Stiff problem;
-    Values state = one(1.0);
+    State state = one(1.0);
     const Outcome out = integrate(problem, state, 1.0, method);
     BOOST_TEST((out.status == Status::reached));
     return out.steps;
@@ -237,7 +276,7 @@ BOOST_AUTO_TEST_CASE(every_setting_reaches_cvode) {
   BOOST_TEST(steps_with({.relative = 1e-9, .absolute = 1e-6}) > steps);
   BOOST_TEST(steps_with({.relative = 1e-6, .absolute = 1e-2}) < steps);
   Stiff problem;
-  Values state = one(1.0);
+  State state = one(1.0);
   const Outcome cut = integrate(problem, state, 1.0, Bdf{.max_steps = 7});
   BOOST_TEST((cut.status == Status::failed && cut.steps == 7));
   BOOST_TEST(holds(cut.reason, "max_steps = 7 were not enough"), cut.reason);
@@ -245,18 +284,19 @@ BOOST_AUTO_TEST_CASE(every_setting_reaches_cvode) {
 
 BOOST_AUTO_TEST_CASE(counts_in_legs_what_the_problem_and_sundials_count) {
   Robertson problem;
-  Counted<Robertson> counted{problem};
-  Values state = robertson_start();
+  long evaluations = 0;
+  const Problem counted(problem, &evaluations);
+  State state = robertson_start();
   Integrator integrator(counted, state, Bdf{.relative = 1e-6, .absolute = 1e-10});
   const Outcome first = integrator.advance(state, 0.4), second = integrator.advance(state, 4.0);
-  BOOST_TEST(first.evaluations + second.evaluations == counted.evaluations);
-  BOOST_TEST(integrator.evaluations_by_sundials() == counted.evaluations);
+  BOOST_TEST(first.evaluations + second.evaluations == evaluations);
+  BOOST_TEST(integrator.evaluations_by_sundials() == evaluations);
   BOOST_TEST((first.sweeps >= first.steps && second.sweeps >= second.steps));
-  BOOST_TEST(counted.evaluations > first.sweeps + second.sweeps);
+  BOOST_TEST(evaluations > first.sweeps + second.sweeps);
 
   // A changed state starts afresh, also the counts, as a new integrator would from there.
   state.y = Eigen::Vector3d(0.5, 1e-6, 0.5);
-  Values copy = state;
+  State copy = state;
   BOOST_TEST(integrator.advance(state, state.t).evaluations == 0);
   BOOST_TEST(integrator.evaluations_by_sundials() == 0);
   const Outcome changed = integrator.advance(state, 8.0),
@@ -271,11 +311,11 @@ BOOST_AUTO_TEST_CASE(events_stop_it_where_the_closed_form_has_them) {
   for (const particulate::reference::Jacobian& jacobian :
        {particulate::reference::Jacobian(DenseJacobian{}), particulate::reference::Jacobian(BandedJacobian{0, 0})}) {
     Stiff problem;
-    Values state = one(2.0);
+    State state = one(2.0);
     const Events events{.functions =
-                            [](double, In y, Out g) {
-                              g[0] = y[0] - 1.5;
-                              g[1] = y[0] - 0.5;
+                            [](const State& at, Out g) {
+                              g[0] = at.y[0] - 1.5;
+                              g[1] = at.y[0] - 0.5;
                             },
                         .directions = {Direction::falling, Direction::either}};
     Integrator integrator(problem, state, Bdf{.relative = 1e-9, .absolute = 1e-11, .jacobian = jacobian}, events);
@@ -306,7 +346,7 @@ BOOST_AUTO_TEST_CASE(what_it_throws_comes_out_and_the_integrator_goes_on) {
     }
   };
   Mistaken problem;
-  Values state = one(1.0);
+  State state = one(1.0);
   Integrator integrator(problem, state, Bdf{});
   BOOST_CHECK_EXCEPTION((void)integrator.advance(state, 1.0), std::domain_error, says("no derivative today"));
   BOOST_TEST((state.t == 0.0 && state.y[0] == 1.0));
@@ -323,9 +363,10 @@ BOOST_AUTO_TEST_CASE(of_another_size_is_refused) {
     }
     static void jacobian(double, In, Eigen::MatrixXd& J) { J = -Eigen::MatrixXd::Identity(2, 3); }
   } problem;
-  Values state = one(1.0);
-  BOOST_CHECK_EXCEPTION((void)integrate(problem, state, 1.0, Bdf{}), std::invalid_argument,
-                        says("jacobian must leave its matrix 1 x 1, one row and one column an unknown, got 2 x 3"));
+  State state = one(1.0);
+  BOOST_CHECK_EXCEPTION(
+      (void)integrate(problem, state, 1.0, Bdf{}), std::invalid_argument,
+      says("jacobian must leave its matrix 1 x 1, one row a rate and one column an unknown, got 2 x 3"));
 }
 
 BOOST_AUTO_TEST_CASE(that_is_not_finite_ends_the_run_with_the_reason) {
@@ -338,7 +379,7 @@ BOOST_AUTO_TEST_CASE(that_is_not_finite_ends_the_run_with_the_reason) {
       J(0, 0) = t < 0.5 ? -1.0 : std::numeric_limits<double>::quiet_NaN();
     }
   } problem;
-  Values state = one(1.0);
+  State state = one(1.0);
   const Outcome out = integrate(problem, state, 10.0, Bdf{.relative = 1e-6, .absolute = 1e-8});
   BOOST_TEST((out.status == Status::failed));
   BOOST_TEST(holds(out.reason, "its Jacobian was not finite at t = "), out.reason);
@@ -347,7 +388,7 @@ BOOST_AUTO_TEST_CASE(that_is_not_finite_ends_the_run_with_the_reason) {
 
 BOOST_AUTO_TEST_CASE(a_band_as_wide_as_the_problem_is_refused) {
   Rod problem;
-  const Values state = rod(0.0);
+  const State state = rod(0.0);
   for (const auto& [lower, upper] : {std::pair(24, 0), std::pair(0, 24)}) {
     const Bdf method{.jacobian = BandedJacobian{.lower = lower, .upper = upper}};
     BOOST_CHECK_EXCEPTION(Integrator(problem, state, method), std::invalid_argument,

@@ -14,18 +14,8 @@
 
 namespace tests::events_test {
 
-using particulate::reference::Adams;
-using particulate::reference::Direction;
-using particulate::reference::Events;
-using particulate::reference::ExplicitRungeKutta;
-using particulate::reference::Hit;
-using particulate::reference::Integrator;
-using particulate::schemes::In;
-using particulate::schemes::State;
-using particulate::schemes::Out;
-using particulate::schemes::Outcome;
-using particulate::schemes::Status;
-using particulate::schemes::State;
+using namespace particulate::reference;
+using namespace particulate::schemes;
 
 constexpr double pi = std::numbers::pi;
 const double not_a_number = std::numeric_limits<double>::quiet_NaN();
@@ -39,7 +29,7 @@ struct Sine {
     return true;
   }
 };
-Values sine_start() { return {.t = 0.5, .y = Eigen::VectorXd::Constant(1, std::sin(0.5))}; }
+State sine_start() { return {.t = 0.5, .y = Eigen::VectorXd::Constant(1, std::sin(0.5))}; }
 
 constexpr double g = 9.81;
 struct Falling {
@@ -48,17 +38,18 @@ struct Falling {
     return true;
   }
 };
-Motion at_height(double h) { return {.t = 0.0, .r = Eigen::VectorXd::Constant(1, h), .v = Eigen::VectorXd::Zero(1)}; }
+State at_height(double h) { return {.t = 0.0, .r = Eigen::VectorXd::Constant(1, h), .v = Eigen::VectorXd::Zero(1)}; }
 
-// The first component less a level.
+// The first place, or without places the first value, less a level.
 Events crossing(double level, Direction direction) {
-  return {.functions = [level](double, In y, Out out) { out[0] = y[0] - level; }, .directions = {direction}};
+  return {.functions = [level](const State& at, Out out) { out[0] = (at.r.size() > 0 ? at.r[0] : at.y[0]) - level; },
+          .directions = {direction}};
 }
 
 // Times of the events that the sine meets up to t_end.
 std::vector<double> times_of(const Events& events, double t_end) {
   Sine problem;
-  Values state = sine_start();
+  State state = sine_start();
   Integrator integrator(problem, state, Adams{.relative = 1e-12, .absolute = 1e-14, .largest_step = 0.5}, events);
   std::vector<double> times;
   while (integrator.advance(state, t_end).status == Status::stopped && times.size() < 100) times.push_back(state.t);
@@ -80,7 +71,7 @@ BOOST_AUTO_TEST_CASE(impacts_of_a_bouncing_ball_meet_their_closed_form) {
   constexpr double h = 0.4, e = 0.8;
   for (const Direction direction : {Direction::falling, Direction::either}) {
     Falling problem;
-    Motion ball = at_height(h);
+    State ball = at_height(h);
     Integrator integrator(problem, ball, Adams{.relative = 1e-12, .absolute = 1e-14}, crossing(0.0, direction));
     const double fall = std::sqrt(2.0 * h / g);
     double t = fall, speed = g * fall;
@@ -108,14 +99,14 @@ BOOST_AUTO_TEST_CASE(only_the_asked_direction_stops) {
 BOOST_AUTO_TEST_CASE(several_events_are_told_apart) {
   // Two functions with one zero, and one that is zero elsewhere, between and again at the same time the other way.
   const Events three{.functions =
-                         [](double t, In y, Out out) {
-                           out[0] = y[0] - 0.6;
-                           out[1] = (y[0] - 0.8) * (t < 1.0 ? 1.0 : 2.0);
-                           out[2] = 1.2 - 2.0 * y[0];
+                         [](const State& at, Out out) {
+                           out[0] = at.y[0] - 0.6;
+                           out[1] = (at.y[0] - 0.8) * (at.t < 1.0 ? 1.0 : 2.0);
+                           out[2] = 1.2 - 2.0 * at.y[0];
                          },
                      .directions = {Direction::either, Direction::rising, Direction::either}};
   Sine problem;
-  Values state = sine_start();
+  State state = sine_start();
   Integrator integrator(problem, state, Adams{.relative = 1e-12, .absolute = 1e-14, .largest_step = 0.25}, three);
   BOOST_TEST(integrator.hits().empty());
 
@@ -136,7 +127,7 @@ BOOST_AUTO_TEST_CASE(several_events_are_told_apart) {
 BOOST_AUTO_TEST_CASE(an_event_does_not_stop_where_it_starts) {
   // Exactly zero at the start.
   Falling problem;
-  Motion ball{.t = 0.0, .r = Eigen::VectorXd::Zero(1), .v = Eigen::VectorXd::Constant(1, g)};
+  State ball{.t = 0.0, .r = Eigen::VectorXd::Zero(1), .v = Eigen::VectorXd::Constant(1, g)};
   Integrator up(problem, ball, Adams{}, crossing(0.0, Direction::either));
   BOOST_TEST((up.advance(ball, 10.0).status == Status::stopped));
   BOOST_TEST(ball.t == 2.0, boost::test_tools::tolerance(1e-9));
@@ -148,8 +139,8 @@ BOOST_AUTO_TEST_CASE(an_event_does_not_stop_where_it_starts) {
 // stop again after it.
 BOOST_AUTO_TEST_CASE(an_event_that_has_stopped_does_not_stop_again_after_another_one_close_by) {
   Falling problem;
-  Motion ball = at_height(0.4);
-  const Events events{.functions = [](double, In y, Out out) { out << y[0], y[0] - 1e-14; },
+  State ball = at_height(0.4);
+  const Events events{.functions = [](const State& at, Out out) { out << at.r[0], at.r[0] - 1e-14; },
                       .directions = {Direction::either, Direction::rising}};
   Integrator integrator(problem, ball, Adams{.relative = 1e-12, .absolute = 1e-14}, events);
   std::vector<std::string> seen;
@@ -166,7 +157,7 @@ BOOST_AUTO_TEST_CASE(an_event_that_has_stopped_does_not_stop_again_after_another
 
 BOOST_AUTO_TEST_CASE(an_event_at_the_end_counts_and_one_beyond_it_does_not) {
   Sine problem;
-  Values state = sine_start();
+  State state = sine_start();
   Integrator integrator(problem, state, Adams{.relative = 1e-12, .absolute = 1e-14}, crossing(0.0, Direction::falling));
   BOOST_TEST((integrator.advance(state, pi - 1e-6).status == Status::reached));
   BOOST_TEST(integrator.hits().empty());
@@ -178,8 +169,9 @@ BOOST_AUTO_TEST_CASE(an_event_at_the_end_counts_and_one_beyond_it_does_not) {
 
   // Where an advance ends exactly on a zero it has stopped there.
   state = sine_start();
-  Integrator clocked(problem, state, Adams{},
-                     {.functions = [](double t, In, Out out) { out[0] = t - 1.0; }, .directions = {Direction::either}});
+  Integrator clocked(
+      problem, state, Adams{},
+      {.functions = [](const State& at, Out out) { out[0] = at.t - 1.0; }, .directions = {Direction::either}});
   BOOST_TEST(clocked.advance(state, 1.0).reason == "event 0 rising");
   BOOST_TEST((state.t == 1.0 && clocked.hits().size() == 1));
   BOOST_TEST((clocked.advance(state, 1.0).status == Status::reached));
@@ -188,7 +180,7 @@ BOOST_AUTO_TEST_CASE(an_event_at_the_end_counts_and_one_beyond_it_does_not) {
 
 BOOST_AUTO_TEST_CASE(every_leg_counts_its_own_work) {
   Sine problem;
-  Values state = sine_start();
+  State state = sine_start();
   Integrator integrator(problem, state, Adams{}, crossing(0.0, Direction::either));
   long evaluations = 0, steps = 0;
   for (int leg = 0; leg < 4; ++leg) {
@@ -206,13 +198,13 @@ BOOST_AUTO_TEST_CASE(what_an_event_function_throws_comes_out_as_it_was_thrown) {
   };
   bool armed = true;
   const Events events{.functions =
-                          [&armed](double t, In y, Out out) {
-                            if (armed && t > 1.0) throw Odd{.number = 7};
-                            out[0] = y[0];
+                          [&armed](const State& at, Out out) {
+                            if (armed && at.t > 1.0) throw Odd{.number = 7};
+                            out[0] = at.y[0];
                           },
                       .directions = {Direction::either}};
   Sine problem;
-  Values state = sine_start();
+  State state = sine_start();
   Integrator integrator(problem, state, Adams{}, events);
   BOOST_CHECK_EXCEPTION((void)integrator.advance(state, 4.0), Odd, [](const Odd& odd) { return odd.number == 7; });
   BOOST_TEST(state.t == 0.5, boost::test_tools::tolerance(0.0));
@@ -222,10 +214,10 @@ BOOST_AUTO_TEST_CASE(what_an_event_function_throws_comes_out_as_it_was_thrown) {
 }
 
 BOOST_AUTO_TEST_CASE(an_event_function_without_a_value_ends_the_run_and_says_where) {
-  const Events events{.functions = [](double t, In, Out out) { out << 1.0, t > 1.0 ? not_a_number : 1.0; },
+  const Events events{.functions = [](const State& at, Out out) { out << 1.0, at.t > 1.0 ? not_a_number : 1.0; },
                       .directions = {Direction::either, Direction::either}};
   Sine problem;
-  Values state = sine_start();
+  State state = sine_start();
   Integrator integrator(problem, state, Adams{}, events);
   const Outcome out = integrator.advance(state, 4.0);
   BOOST_TEST((out.status == Status::failed && integrator.hits().empty()));
@@ -241,7 +233,7 @@ BOOST_AUTO_TEST_SUITE(mistakes_in_events)
 
 BOOST_AUTO_TEST_CASE(half_an_event_is_refused) {
   Sine problem;
-  const Values state = sine_start();
+  const State state = sine_start();
   Events events = crossing(0.0, Direction::either);
   events.directions.clear();
   BOOST_CHECK_EXCEPTION(Integrator(problem, state, Adams{}, events), std::invalid_argument,
@@ -263,7 +255,7 @@ BOOST_AUTO_TEST_CASE(a_method_that_finds_no_events_refuses_them) {
   BOOST_CHECK_EXCEPTION(Integrator(problem, sine_start(), ExplicitRungeKutta{}, events), std::invalid_argument,
                         says("events need the Adams or BDF methods and at least one unknown, got explicit "
                              "Runge-Kutta and 1"));
-  BOOST_CHECK_EXCEPTION(Integrator(nobody, Values{.t = 0.0, .y = Eigen::VectorXd(0)}, Adams{}, events),
+  BOOST_CHECK_EXCEPTION(Integrator(nobody, State{.t = 0.0, .y = Eigen::VectorXd(0)}, Adams{}, events),
                         std::invalid_argument, says("got Adams and 0 unknowns"));
 }
 

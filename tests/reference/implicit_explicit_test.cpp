@@ -12,24 +12,12 @@
 
 namespace tests::implicit_explicit_test {
 
-using particulate::reference::additive_tables;
-using particulate::reference::AdditiveTable;
-using particulate::reference::ImplicitExplicit;
-using particulate::reference::integrate;
-using particulate::reference::Integrator;
-using particulate::reference::name;
-using particulate::reference::order;
-using particulate::schemes::Counted;
-using particulate::schemes::In;
-using particulate::schemes::State;
-using particulate::schemes::Out;
-using particulate::schemes::Outcome;
-using particulate::schemes::Status;
-using particulate::schemes::State;
+using namespace particulate::reference;
+using namespace particulate::schemes;
 
 bool holds(const std::string& text, const std::string& words) { return text.find(words) != std::string::npos; }
 
-Values one(double y) { return {.t = 0.0, .y = Eigen::VectorXd::Constant(1, y)}; }
+State one(double y) { return {.t = 0.0, .y = Eigen::VectorXd::Constant(1, y)}; }
 
 // y' = -sin t/(2 + cos t) y - cos t/(2 + cos t) y^2, y = (2 + cos t)/(2 + sin t): with y = 1/w it is linear,
 // ((2 + cos t) w)' = cos t. Both parts depend on the time.
@@ -92,15 +80,16 @@ struct Draining {
 template <bool slow_has_none>
 void drains() {
   Draining<slow_has_none> problem;
-  Counted<Draining<slow_has_none>> counted{problem};
-  Values state = one(1.0);
+  long evaluations = 0;
+  const Problem counted(problem, &evaluations);
+  State state = one(1.0);
   Integrator integrator(counted, state,
                         ImplicitExplicit{.table = AdditiveTable::ark324l2sa_4_2_3, .relative = 1e-6, .absolute = 1e-8});
   const Outcome out = integrator.advance(state, 0.9999);
   BOOST_TEST((out.status == Status::reached), out.reason);
   BOOST_TEST(problem.refused > 0);
   BOOST_TEST(out.rejections > 0);
-  BOOST_TEST(out.evaluations == counted.evaluations);
+  BOOST_TEST(out.evaluations == evaluations);
   BOOST_TEST(out.evaluations == integrator.evaluations_by_sundials());
   BOOST_TEST(std::abs(state.y[0] - 1e-8) < 1e-6);
 }
@@ -115,7 +104,7 @@ BOOST_AUTO_TEST_CASE(every_pair_shows_its_order_at_fixed_steps_from_both_sides) 
     for (Eigen::Index k = 0; k < 6; ++k) {
       const long n = std::lround(coarsest * std::pow(1.25, static_cast<double>(k)));
       Bernoulli problem;
-      Values state = one(Bernoulli::exact(0.0));
+      State state = one(Bernoulli::exact(0.0));
       const Outcome out = integrate(
           problem, state, 3.0,
           ImplicitExplicit{
@@ -151,7 +140,7 @@ BOOST_AUTO_TEST_CASE(every_pair_asks_both_parts_at_its_own_nodes) {
   const std::array nodes{1767732205903.0 / 2027836641118.0, 0.5, 0.247, 0.41, 4.0 / 9.0};
   for (std::size_t k = 0; k < additive_tables.size(); ++k) {
     Timed problem;
-    Values state = one(Bernoulli::exact(0.0));
+    State state = one(Bernoulli::exact(0.0));
     const Outcome out =
         integrate(problem, state, 1.0, ImplicitExplicit{.table = additive_tables[k], .fixed_step = 1.0});
     BOOST_TEST((out.status == Status::reached));
@@ -168,7 +157,7 @@ BOOST_AUTO_TEST_CASE(adapted_steps_meet_the_closed_form_to_their_tolerance) {
       double coarse = 0.0;
       for (const double tolerance : {1e-6, 1e-9}) {
         Bernoulli problem;
-        Values state = one(Bernoulli::exact(0.0));
+        State state = one(Bernoulli::exact(0.0));
         const Outcome out = integrate(problem, state, 3.0,
                                       ImplicitExplicit{.table = table, .relative = tolerance, .absolute = tolerance});
         const double error = std::abs(state.y[0] - Bernoulli::exact(3.0));
@@ -186,14 +175,14 @@ BOOST_AUTO_TEST_CASE(adapted_steps_meet_the_closed_form_to_their_tolerance) {
 BOOST_AUTO_TEST_CASE(the_fast_part_is_the_implicit_one) {
   for (const AdditiveTable table : additive_tables) {
     Stiff problem;
-    Values state = one(1.0);
+    State state = one(1.0);
     const Outcome out = integrate(problem, state, 3.0, ImplicitExplicit{.table = table, .fixed_step = 0.1});
     BOOST_TEST((out.status == Status::reached));
     BOOST_TEST(out.steps == 30);
     BOOST_TEST(std::abs(state.y[0] - std::cos(3.0)) < 1e-2, name(table));
   }
   Stiff problem;
-  Values state = one(1.0);
+  State state = one(1.0);
   const Outcome out = integrate(problem, state, 3.0, ImplicitExplicit{.relative = 1e-6, .absolute = 1e-6});
   BOOST_TEST((out.status == Status::reached), out.reason);
   BOOST_TEST(out.steps < 1000);
@@ -218,7 +207,7 @@ BOOST_AUTO_TEST_CASE(asks_for_the_parts_and_never_for_the_whole_rate_or_its_jaco
     void jacobian(double, In, Eigen::MatrixXd&) { ++whole; }
   };
   Parts problem;
-  Values state = one(Bernoulli::exact(0.0));
+  State state = one(Bernoulli::exact(0.0));
   Integrator integrator(problem, state,
                         ImplicitExplicit{.table = AdditiveTable::ark436l2sa_6_3_4, .fixed_step = 0.125});
   const Outcome first = integrator.advance(state, 2.0), second = integrator.advance(state, 4.0);
@@ -234,7 +223,7 @@ BOOST_AUTO_TEST_CASE(asks_for_the_parts_and_never_for_the_whole_rate_or_its_jaco
 BOOST_AUTO_TEST_CASE(every_setting_reaches_arkode) {
   const auto steps_with = [](const ImplicitExplicit& method) {
     Bernoulli problem;
-    Values state = one(Bernoulli::exact(0.0));
+    State state = one(Bernoulli::exact(0.0));
     const Outcome out = integrate(problem, state, 2.0, method);
     BOOST_TEST((out.status == Status::reached));
     return out.steps;
@@ -246,7 +235,7 @@ BOOST_AUTO_TEST_CASE(every_setting_reaches_arkode) {
   BOOST_TEST(steps_with({.relative = 1e-6, .absolute = 1e3}) < steps);
   BOOST_TEST(steps_with({.fixed_step = 0.002}) == 1000);
   Bernoulli problem;
-  Values state = one(Bernoulli::exact(0.0));
+  State state = one(Bernoulli::exact(0.0));
   const Outcome cut = integrate(problem, state, 2.0, ImplicitExplicit{.max_steps = 7});
   BOOST_TEST((cut.status == Status::failed && cut.steps == 7));
 }
@@ -254,7 +243,7 @@ BOOST_AUTO_TEST_CASE(every_setting_reaches_arkode) {
 BOOST_AUTO_TEST_CASE(goes_on_from_the_state_it_left_and_starts_afresh_from_another) {
   const ImplicitExplicit fixed{.fixed_step = 1.0 / 64}, adapted{.relative = 1e-8, .absolute = 1e-8};
   Bernoulli problem;
-  Values whole = one(Bernoulli::exact(0.0)), legs = whole;
+  State whole = one(Bernoulli::exact(0.0)), legs = whole;
   BOOST_TEST((integrate(problem, whole, 3.0, fixed).steps == 192));
   Integrator in_legs(problem, legs, fixed);
   const Outcome first = in_legs.advance(legs, 1.25), second = in_legs.advance(legs, 3.0);
@@ -264,7 +253,7 @@ BOOST_AUTO_TEST_CASE(goes_on_from_the_state_it_left_and_starts_afresh_from_anoth
   Integrator integrator(problem, legs, adapted);
   BOOST_TEST((integrator.advance(legs, 4.0).status == Status::reached));
   legs.y[0] *= 2.0;
-  Values copy = legs;
+  State copy = legs;
   const Outcome changed = integrator.advance(legs, 6.0), afresh = integrate(problem, copy, 6.0, adapted);
   BOOST_TEST(changed.evaluations == afresh.evaluations);
   BOOST_TEST(integrator.evaluations_by_sundials() == changed.evaluations);
@@ -292,7 +281,7 @@ BOOST_AUTO_TEST_CASE(steps_whose_equation_has_no_solution_are_rejections) {
     }
     bool rate_fast(double t, In y, Out dy) { return rate(t, y, dy); }
   } problem;
-  Values state = one(0.0);
+  State state = one(0.0);
   const Outcome out = integrate(problem, state, 2.0, ImplicitExplicit{.relative = 1e-6, .absolute = 1e-8});
   BOOST_TEST((out.status == Status::failed));
   BOOST_TEST(problem.refused > 10);
@@ -316,7 +305,7 @@ BOOST_AUTO_TEST_CASE(what_a_part_throws_comes_out_and_the_integrator_goes_on) {
     }
   };
   Mistaken problem;
-  Values state = one(1.0);
+  State state = one(1.0);
   Integrator integrator(problem, state, ImplicitExplicit{.relative = 1e-6, .absolute = 1e-6});
   problem.slow = true;
   BOOST_CHECK_EXCEPTION((void)integrator.advance(state, 1.0), std::domain_error, says("the slow part is lost"));
@@ -342,7 +331,7 @@ BOOST_AUTO_TEST_CASE(a_fixed_step_whose_equation_has_no_solution_fails_and_says_
     }
     static bool rate_fast(double t, In y, Out dy) { return rate(t, y, dy); }
   } problem;
-  Values state = one(1.0);
+  State state = one(1.0);
   const Outcome out = integrate(problem, state, 3.0, ImplicitExplicit{.fixed_step = 3.0});
   BOOST_TEST((out.status == Status::failed));
   BOOST_TEST(holds(out.reason, "does not converge at any step; stop before this time, take smaller fixed steps"),
@@ -352,7 +341,7 @@ BOOST_AUTO_TEST_CASE(a_fixed_step_whose_equation_has_no_solution_fails_and_says_
 
 BOOST_AUTO_TEST_CASE(nothing_to_solve_takes_no_step) {
   Bernoulli problem;
-  Values state{.t = 1.0, .y = Eigen::VectorXd(0)};
+  State state{.t = 1.0, .y = Eigen::VectorXd(0)};
   const Outcome out = integrate(problem, state, 3.0, ImplicitExplicit{});
   BOOST_TEST((out.status == Status::reached && out.evaluations == 0 && state.t == 3.0));
 }
@@ -364,15 +353,17 @@ BOOST_AUTO_TEST_CASE(a_problem_that_does_not_split_is_refused) {
       return true;
     }
   } whole;
-  struct Moving : Stiff {
+  struct Moving {
     static bool acceleration(double, In r, Out a) {
       a = -r;
       return true;
     }
+    static bool rate_slow(double t, In y, Out dy) { return Stiff::rate_slow(t, y, dy); }
+    static bool rate_fast(double t, In y, Out dy) { return Stiff::rate_fast(t, y, dy); }
   } moving;
   const auto words = says("needs a first-order problem in two parts, got one that does not split; give it rate_slow");
   BOOST_CHECK_EXCEPTION(Integrator(whole, one(1.0), ImplicitExplicit{}), std::invalid_argument, words);
-  const Motion motion{.t = 0.0, .r = Eigen::VectorXd::Ones(1), .v = Eigen::VectorXd::Zero(1)};
+  const State motion{.t = 0.0, .r = Eigen::VectorXd::Ones(1), .v = Eigen::VectorXd::Zero(1)};
   BOOST_CHECK_EXCEPTION(Integrator(moving, motion, ImplicitExplicit{}), std::invalid_argument, words);
 }
 

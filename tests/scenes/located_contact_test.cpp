@@ -16,42 +16,21 @@
 namespace tests::located_contact_test {
 
 using boost::test_tools::tolerance;
-using particulate::contact::ConstantRestitution;
-using particulate::contact::Contact;
-using particulate::contact::LocatedContact;
-using particulate::kinematics::Space;
-using particulate::kinematics::Particles;
-using particulate::kinematics::Vectors;
-using particulate::kinematics::Wall;
-using particulate::kinematics::Space;
-using particulate::laws::Gravity;
-using particulate::scenes::Scene;
-using particulate::scenes::start;
-using particulate::schemes::Counted;
-using particulate::schemes::Direction;
-using particulate::schemes::Failure;
-using particulate::schemes::FixedStep;
-using particulate::schemes::In;
-using particulate::schemes::integrate;
-using particulate::schemes::LocatesJumps;
-using particulate::schemes::State;
-using particulate::schemes::Out;
-using particulate::schemes::Outcome;
-using particulate::schemes::Status;
-using particulate::schemes::StepPath;
-using particulate::schemes::Watch;
+using namespace particulate::contact;
+using namespace particulate::kinematics;
+using namespace particulate::laws;
+using namespace particulate::scenes;
+using namespace particulate::schemes;
 
-using Path = StepPath<ExactFall, Motion>;
-using Bouncing = Scene<Walled, Gravity, LocatedContact<>>;
-static_assert(LocatesJumps<Bouncing, Path> && LocatesJumps<const Bouncing, Path> &&
-              LocatesJumps<Counted<Bouncing>, Path>);
-static_assert(!LocatesJumps<Scene<Walled, Gravity, Contact<>>, Path>, "stepped contacts are looked for after steps");
+using Bouncing = Scene<Space, Gravity, LocatedContact<>>;
+static_assert(LocatesJumps<Bouncing> && LocatesJumps<const Bouncing>);
+static_assert(!LocatesJumps<Scene<Space, Gravity, Contact<>>>, "stepped contacts are looked for after steps");
 
-const Walled ground{{Wall{}}};
+const Space ground{{Wall{}}};
 
 // Has no value below 1 m.
 struct Above {};
-bool add_force(const Above&, const Walled&, const particulate::laws::At<>& at, particulate::laws::Forces) {
+bool add_force(const Above&, const Space&, const particulate::laws::At<>& at, particulate::laws::Forces) {
   return (at.position.col(2).array() > 1.0).all();
 }
 
@@ -72,7 +51,7 @@ const double fall = std::sqrt(0.8 / 9.81);
 
 template <class S>
 Vectors velocities(const S& scene, double t_end, double dt) {
-  Motion state = start(scene);
+  State state = start(scene);
   ExactFall scheme;
   FixedStep control{.step = dt};
   BOOST_TEST((integrate(scene, state, t_end, scheme, control).status == Status::reached));
@@ -90,12 +69,12 @@ BOOST_AUTO_TEST_CASE(meets_every_impact_of_a_bouncing_ball) {
   constexpr double e = 0.8;
   for (const double dt : {0.7, 0.1, 0.013}) {
     const Bouncing scene = dropped(e);
-    Motion ball = start(scene);
+    State ball = start(scene);
     ExactFall scheme{.blur = 0.5};
     FixedStep control{.step = dt};
     double t = fall, speed = 9.81 * fall;
     int impacts = 0;
-    const auto observe = [&](const Motion&, const Motion& to, double, const ExactFall&) {
+    const auto observe = [&](const State&, const State& to, double, const ExactFall&) {
       if (std::abs(to.r[2] - 0.05) > 1e-12) return true;
       BOOST_TEST(to.t == t, tolerance(1e-13));
       BOOST_TEST(to.v[2] == -speed, tolerance(1e-12));
@@ -117,7 +96,7 @@ BOOST_AUTO_TEST_CASE(meets_every_impact_of_a_bouncing_ball) {
 BOOST_AUTO_TEST_CASE(ends_where_the_impacts_of_a_bouncing_ball_accumulate) {
   for (const double e : {0.0, 0.5, 0.9}) {
     const Bouncing scene = dropped(e);
-    Motion ball = start(scene);
+    State ball = start(scene);
     ExactFall scheme;
     FixedStep control{.step = 0.1};
     const Outcome outcome = integrate(scene, ball, 100.0, scheme, control);
@@ -131,7 +110,7 @@ BOOST_AUTO_TEST_CASE(ends_where_the_impacts_of_a_bouncing_ball_accumulate) {
 
 BOOST_AUTO_TEST_CASE(keeps_an_elastic_ball_bouncing) {
   const Bouncing scene = dropped(1.0);
-  Motion ball = start(scene);
+  State ball = start(scene);
   ExactFall scheme;
   FixedStep control{.step = 0.1};
   const Outcome outcome = integrate(scene, ball, 20.0 * fall, scheme, control);
@@ -144,7 +123,7 @@ BOOST_AUTO_TEST_CASE(keeps_an_elastic_ball_bouncing) {
 BOOST_AUTO_TEST_CASE(takes_impacts_of_one_time_together) {
   const Scene scene(spheres(Vectors{{0.0, 0.0, 0.45}, {1.0, 0.0, 0.45}, {2.0, 0.0, 0.5}}, Vectors::Zero(3, 3), 0.05),
                     ground, Gravity{}, LocatedContact{});
-  Motion balls = start(scene);
+  State balls = start(scene);
   ExactFall scheme;
   FixedStep control{.step = 1.0};
   const Outcome outcome = integrate(scene, balls, 0.3, scheme, control);
@@ -156,7 +135,7 @@ BOOST_AUTO_TEST_CASE(keeps_a_symmetric_hit_symmetric_whatever_the_numbering) {
   const Vectors r{{-2.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, {2.0, 0.0, 0.0}};
   const Vectors v{{0.3, 0.0, 0.0}, {0.0, 0.0, 0.0}, {-0.3, 0.0, 0.0}};
   for (const std::vector<int>& order : {std::vector{0, 1, 2}, {2, 1, 0}, {1, 0, 2}}) {
-    const Scene scene(spheres(r(order, Eigen::all), v(order, Eigen::all), 0.5), Open{}, LocatedContact{});
+    const Scene scene(spheres(r(order, Eigen::all), v(order, Eigen::all), 0.5), Space{}, LocatedContact{});
     BOOST_TEST(close(velocities(scene, 5.0, 1.0), -v(order, Eigen::all), {.absolute = 1e-15}));
   }
 }
@@ -166,8 +145,8 @@ BOOST_AUTO_TEST_CASE(lets_a_cradle_swing) {
   Vectors r = Vectors::Zero(4, 3), v = Vectors::Zero(4, 3);
   r.col(0) << -1.0, 1.0, 2.0, 3.0;
   v(0, 0) = 2.0;
-  const Scene scene(spheres(r, v, 0.5), Open{}, LocatedContact{});
-  Motion row = start(scene);
+  const Scene scene(spheres(r, v, 0.5), Space{}, LocatedContact{});
+  State row = start(scene);
   ExactFall scheme;
   FixedStep control{.step = 3.0};
   BOOST_TEST(integrate(scene, row, 2.0, scheme, control).impacts == 3);
@@ -179,7 +158,7 @@ BOOST_AUTO_TEST_CASE(lets_a_cradle_swing) {
 BOOST_AUTO_TEST_CASE(parts_bodies_that_start_touching_or_overlapped_and_approach) {
   for (const double d : {1.0, 0.9}) {
     const Scene scene(spheres(Vectors{{0.0, 0.0, 0.0}, {d, 0.0, 0.0}}, Vectors{{1.0, 0.0, 0.0}, {0.0, 0.0, 0.0}}, 0.5),
-                      Open{}, LocatedContact{});
+                      Space{}, LocatedContact{});
     BOOST_TEST(close(velocities(scene, 1.0, 0.25), Vectors{{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}}, {}));
   }
 }
@@ -187,14 +166,14 @@ BOOST_AUTO_TEST_CASE(parts_bodies_that_start_touching_or_overlapped_and_approach
 BOOST_AUTO_TEST_CASE(turns_at_what_is_immovable) {
   Particles pair = spheres(Vectors{{0.0, 0.0, 0.0}, {3.0, 0.0, 0.0}}, Vectors{{0.0, 0.0, 0.0}, {-4.0, 0.0, 0.0}}, 0.5);
   pair.immovable = {true, false};
-  const Scene scene(pair, Open{}, LocatedContact{.restitution = ConstantRestitution{0.5}});
+  const Scene scene(pair, Space{}, LocatedContact{.restitution = ConstantRestitution{0.5}});
   BOOST_TEST(close(velocities(scene, 2.0, 0.3), Vectors{{0.0, 0.0, 0.0}, {2.0, 0.0, 0.0}}, {.relative = 1e-15}));
 }
 
 BOOST_AUTO_TEST_CASE(is_unsettled_where_forces_have_no_value) {
   const Scene scene(spheres(Vectors{{0.0, 0.0, 1.2}}, Vectors{{0.0, 0.0, -1.0}}, 1.0), ground, Above{},
                     LocatedContact{});
-  Motion ball = start(scene);
+  State ball = start(scene);
   ExactFall scheme;
   FixedStep control{.step = 0.5};
   const Outcome outcome = integrate(scene, ball, 2.0, scheme, control);
@@ -206,10 +185,10 @@ BOOST_AUTO_TEST_CASE(is_unsettled_where_forces_have_no_value) {
 // The top of each hop, and each impact, end a step.
 BOOST_AUTO_TEST_CASE(goes_with_events) {
   const Bouncing scene = dropped(1.0);
-  Motion ball = start(scene);
+  State ball = start(scene);
   ExactFall scheme;
   FixedStep control{.step = 0.5};
-  Watch watch({.functions = [](double, In y, Out g) { g[0] = y[5]; },
+  Watch watch({.functions = [](const State& at, Out g) { g[0] = at.v[2]; },
                .directions = {Direction::falling},
                .actions = {particulate::schemes::Action::record}});
   const Outcome outcome = integrate(scene, ball, 5.5 * fall, scheme, control, watch);
@@ -221,7 +200,7 @@ BOOST_AUTO_TEST_CASE(goes_with_events) {
 
 BOOST_AUTO_TEST_CASE(does_nothing_without_particles) {
   const Scene scene(spheres(Vectors(0, 3), Vectors(0, 3), 1.0), ground, Gravity{}, LocatedContact{});
-  Motion nobody = start(scene);
+  State nobody = start(scene);
   ExactFall scheme;
   FixedStep control{.step = 0.5};
   BOOST_TEST((integrate(scene, nobody, 2.0, scheme, control).status == Status::reached));

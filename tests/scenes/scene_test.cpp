@@ -5,9 +5,9 @@
 #include <stdexcept>
 
 #include <particulate/contact/contact.hpp>
-#include <particulate/laws/near_field.hpp>
 #include <particulate/kinematics/similarity.hpp>
 #include <particulate/laws/gravity.hpp>
+#include <particulate/laws/near_field.hpp>
 #include <particulate/schemes/fixed_step.hpp>
 #include <particulate/schemes/integrate.hpp>
 #include <particulate/schemes/verlet.hpp>
@@ -17,46 +17,21 @@
 namespace tests::scene_test {
 
 using boost::test_tools::tolerance;
-using particulate::contact::ConstantRestitution;
-using particulate::contact::Contact;
-using particulate::laws::Forces;
-using particulate::contact::Friction;
-using particulate::laws::At<laws::Velocity>;
-using particulate::laws::NearField;
-using particulate::laws::At<>;
-using particulate::contact::Resolution;
-using particulate::contact::Restitution;
-using particulate::kinematics::CentralForce;
-using particulate::kinematics::Space;
-using particulate::kinematics::Particles;
-using particulate::kinematics::Scales;
-using particulate::kinematics::Vectors;
-using particulate::kinematics::Wall;
-using particulate::kinematics::Space;
-using particulate::laws::Gravity;
-using particulate::scenes::Scene;
-using particulate::scenes::start;
-using particulate::schemes::FixedStep;
-using particulate::schemes::integrate;
-using particulate::schemes::Jump;
-using particulate::schemes::Jumps;
-using particulate::schemes::Measures;
-using particulate::schemes::State;
-using particulate::schemes::StateProblem;
-using particulate::schemes::Outcome;
-using particulate::schemes::PositionProblem;
-using particulate::schemes::Status;
-using particulate::schemes::VelocityVerlet;
+using namespace particulate::contact;
+using namespace particulate::kinematics;
+using namespace particulate::laws;
+using namespace particulate::scenes;
+using namespace particulate::schemes;
 
 // A uniform field along -z that grows with time; its potential is that of the moment.
 struct Weight {
   double g;
 };
-bool add_force(const Weight& law, const Open&, const Places& at, Forces force) {
+bool add_force(const Weight& law, const Space&, const At<>& at, Forces force) {
   force.col(2) -= law.g * (1.0 + at.t) * at.mass;
   return true;
 }
-double potential_energy(const Weight& law, const Open&, const Places& at) {
+double potential_energy(const Weight& law, const Space&, const At<>& at) {
   return law.g * (1.0 + at.t) * at.mass.dot(at.position.col(2));
 }
 void validate(const Weight& law) {
@@ -67,39 +42,40 @@ struct Drag {
   double c;
 };
 template <class D>
-bool add_force(const Drag& law, const D&, const Moving& at, Forces force) {
+bool add_force(const Drag& law, const D&, const At<Velocity>& at, Forces force) {
   force -= law.c * at.velocity;
   return true;
 }
 
 // Has no value outside a slab.
 struct Slab {};
-bool add_force(const Slab&, const Open&, const Places& at, Forces) { return (at.position.col(0).array() < 10.0).all(); }
+bool add_force(const Slab&, const Space&, const At<>& at, Forces) { return (at.position.col(0).array() < 10.0).all(); }
 
 template <class S>
-concept HasPotential = requires(const S& scene, const Motion& state) {
+concept HasPotential = requires(const S& scene, const State& state) {
   scene.potential_energy(state);
 };
 
-using Falling = Scene<Open, Weight>;
-using Dragged = Scene<Open, Weight, Drag>;
-using Colliding = Scene<Walled, Gravity, Contact<>>;
+using Falling = Scene<Space, Weight>;
+using Dragged = Scene<Space, Weight, Drag>;
+using Colliding = Scene<Space, Gravity, Contact<>>;
 
 static_assert(PositionProblem<Falling> && !MotionProblem<Falling> && !Falling::needs_velocity);
 static_assert(MotionProblem<Dragged> && !PositionProblem<Dragged> && Dragged::needs_velocity);
-static_assert(MotionProblem<Scene<Open, Drag, Weight>>, "whichever law comes first");
+static_assert(MotionProblem<Scene<Space, Drag, Weight>>, "whichever law comes first");
 static_assert(PositionProblem<const Falling> && MotionProblem<const Dragged>, "a scene is not changed by its motion");
-static_assert(PositionProblem<Scene<Open>>, "no law at all is a law of free flight");
+static_assert(PositionProblem<Scene<Space>>, "no law at all is a law of free flight");
 static_assert(Measures<Falling> && Measures<Dragged>);
-static_assert(HasPotential<Scene<Open>> && HasPotential<Falling> && HasPotential<Scene<Open, NearField, Weight>>);
+static_assert(HasPotential<Scene<Space>> && HasPotential<Falling> && HasPotential<Scene<Space, NearField, Weight>>);
 static_assert(HasPotential<Colliding>, "a contact stores no energy");
-static_assert(!HasPotential<Dragged> && !HasPotential<Scene<Open, Weight, Slab>>,
+static_assert(!HasPotential<Dragged> && !HasPotential<Scene<Space, Weight, Slab>>,
               "one law without a potential is enough");
 
-static_assert(Jumps<Colliding> && Jumps<const Colliding> && Colliding::has_impacts);
+static_assert(Jumps<Colliding> && Jumps<const Colliding> && Colliding::jumping_laws == 1);
 static_assert(PositionProblem<Colliding>, "a contact asks for velocities after steps, not within them");
-static_assert(!Jumps<Falling> && !Jumps<Dragged> && !Falling::has_impacts, "a scene without contact does not jump");
-static_assert(MotionProblem<Scene<Open, Drag, Contact<Restitution, Friction>>>);
+static_assert(!Jumps<Falling> && !Jumps<Dragged> && Falling::jumping_laws == 0,
+              "a scene without contact does not jump");
+static_assert(MotionProblem<Scene<Space, Drag, Contact<Restitution, Friction>>>);
 
 Particles two_particles() {
   return {.position = Vectors{{1.0, 2.0, 3.0}, {3.0, 2.0, 3.0}},
@@ -120,7 +96,7 @@ Particles ball(double h, const Eigen::RowVector3d& velocity) {
           .mass = Eigen::VectorXd::Constant(1, 2.0),
           .radius = Eigen::VectorXd::Constant(1, 0.5)};
 }
-const Walled floor_at_zero{{Wall{}}};
+const Space floor_at_zero{{Wall{}}};
 
 // Unit spheres in a row that touch, the first on its way to the others at 1 m/s.
 Particles cradle() {
@@ -145,37 +121,37 @@ BOOST_AUTO_TEST_SUITE(Scene_)
 BOOST_AUTO_TEST_CASE(checks_its_particles_and_its_laws) {
   Particles bad = two_particles();
   bad.mass[1] = -1.0;
-  BOOST_CHECK_EXCEPTION(Scene(bad, Open{}, Weight{1.0}), std::invalid_argument, says("masses must be positive"));
-  BOOST_CHECK_EXCEPTION(Scene(two_particles(), Open{}, Drag{1.0}, Weight{-1.0}), std::invalid_argument,
+  BOOST_CHECK_EXCEPTION(Scene(bad, Space{}, Weight{1.0}), std::invalid_argument, says("masses must be positive"));
+  BOOST_CHECK_EXCEPTION(Scene(two_particles(), Space{}, Drag{1.0}, Weight{-1.0}), std::invalid_argument,
                         says("weight: g must not be negative"));
-  BOOST_CHECK_EXCEPTION(Scene(two_particles(), Open{}, Weight{1.0}, NearField{.beta1 = -1.0}), std::invalid_argument,
+  BOOST_CHECK_EXCEPTION(Scene(two_particles(), Space{}, Weight{1.0}, NearField{.beta1 = -1.0}), std::invalid_argument,
                         says("beta1 must be finite and not negative"));
-  BOOST_CHECK_NO_THROW(Scene(two_particles(), Open{}, Drag{-1.0}));  // a law without validate() is taken as it is
+  BOOST_CHECK_NO_THROW(Scene(two_particles(), Space{}, Drag{-1.0}));  // a law without validate() is taken as it is
 }
 
 BOOST_AUTO_TEST_CASE(keeps_its_particles) {
-  const Scene scene(two_particles(), Open{}, Weight{1.0});
+  const Scene scene(two_particles(), Space{}, Weight{1.0});
   BOOST_TEST(close(scene.particles().position, two_particles().position, {}));
   BOOST_TEST(close(scene.particles().mass, two_particles().mass, {}));
 }
 
 // Weight 2 m (1 + t) at t = 0 is 4 and 6; along x the near field's 2.25.
 BOOST_AUTO_TEST_CASE(adds_the_forces_of_its_laws) {
-  const Scene scene(two_particles(), Open{}, monograph, Weight{2.0});
+  const Scene scene(two_particles(), Space{}, monograph, Weight{2.0});
   Eigen::VectorXd expected(6);
   expected << 2.25, -2.25, 0.0, 0.0, -4.0, -6.0;
   BOOST_TEST(close(total_force(scene), expected, {.relative = 1e-15}));
 }
 
 BOOST_AUTO_TEST_CASE(gives_velocities_to_the_law_that_asks_and_places_to_the_other) {
-  const Scene scene(two_particles(), Open{}, Weight{2.0}, Drag{4.0});
+  const Scene scene(two_particles(), Space{}, Weight{2.0}, Drag{4.0});
   Eigen::VectorXd expected(6);
   expected << -2.0, 0.0, 0.0, -1.0, -4.0 + 4.0, -6.0 - 8.0;
   BOOST_TEST(close(total_force(scene), expected, {}));
 }
 
 BOOST_AUTO_TEST_CASE(starts_its_sum_from_nothing) {
-  const Scene scene(two_particles(), Open{}, Weight{2.0});
+  const Scene scene(two_particles(), Space{}, Weight{2.0});
   Eigen::VectorXd f = Eigen::VectorXd::Constant(6, std::numeric_limits<double>::quiet_NaN());
   BOOST_TEST(scene.total_force(start(scene), f));
   BOOST_TEST(f.allFinite());
@@ -183,13 +159,13 @@ BOOST_AUTO_TEST_CASE(starts_its_sum_from_nothing) {
 
 // g (1 + t) = 6 at t = 2, whatever the mass; 2.25/2 and 2.25/3.
 BOOST_AUTO_TEST_CASE(divides_by_each_particles_own_mass_at_its_own_time) {
-  const Scene scene(two_particles(), Open{}, monograph, Weight{2.0});
-  const Motion state = start(scene);
+  const Scene scene(two_particles(), Space{}, monograph, Weight{2.0});
+  const State state = start(scene);
   Eigen::VectorXd a(6), expected(6);
   BOOST_TEST(scene.acceleration(2.0, state.r, a));
   expected << 1.125, -0.75, 0.0, 0.0, -6.0, -6.0;
   BOOST_TEST(close(a, expected, {.relative = 1e-15}));
-  const Scene dragged(two_particles(), Open{}, Drag{6.0});
+  const Scene dragged(two_particles(), Space{}, Drag{6.0});
   BOOST_TEST(dragged.acceleration(0.0, state.r, state.v, a));
   expected << -1.5, 0.0, 0.0, -0.5, 3.0, -4.0;
   BOOST_TEST(close(a, expected, {.relative = 1e-15}));
@@ -199,28 +175,28 @@ BOOST_AUTO_TEST_CASE(has_no_value_where_one_of_its_laws_has_none) {
   Particles outside = two_particles();
   outside.position(1, 0) = 11.0;
   Eigen::VectorXd a(6);
-  const Scene first(outside, Open{}, Slab{}, Weight{1.0});
-  const Scene last(outside, Open{}, Weight{1.0}, Slab{});
+  const Scene first(outside, Space{}, Slab{}, Weight{1.0});
+  const Scene last(outside, Space{}, Weight{1.0}, Slab{});
   BOOST_TEST(!first.acceleration(0.0, start(first).r, a));
   BOOST_TEST(!last.acceleration(0.0, start(last).r, a));
   BOOST_TEST(!last.total_force(start(last), a));
   Particles together = two_particles();
   together.position.row(1) = together.position.row(0);
-  const Scene coincident(together, Open{}, monograph);
+  const Scene coincident(together, Space{}, monograph);
   BOOST_TEST(!coincident.acceleration(0.0, start(coincident).r, a));
 }
 
 BOOST_AUTO_TEST_CASE(has_no_value_where_an_acceleration_is_too_large) {
   Particles light = two_particles();
   light.mass[0] = 1e-300;
-  const Scene scene(light, Open{}, NearField{.alpha1 = 1e300, .scaling = particulate::laws::Scaling::pair});
+  const Scene scene(light, Space{}, NearField{.alpha1 = 1e300, .scaling = particulate::laws::Scaling::pair});
   Eigen::VectorXd a(6);
   BOOST_TEST(scene.total_force(start(scene), a));
   BOOST_TEST(!scene.acceleration(0.0, start(scene).r, a));
 }
 
 BOOST_AUTO_TEST_CASE(refuses_vectors_of_another_length) {
-  const Scene scene(two_particles(), Open{}, Weight{1.0});
+  const Scene scene(two_particles(), Space{}, Weight{1.0});
   const Eigen::VectorXd right = Eigen::VectorXd::Zero(6), wrong = Eigen::VectorXd::Zero(5);
   Eigen::VectorXd a(6), short_a(3);
   BOOST_CHECK_EXCEPTION((void)scene.acceleration(0.0, wrong, a), std::invalid_argument,
@@ -231,16 +207,16 @@ BOOST_AUTO_TEST_CASE(refuses_vectors_of_another_length) {
 
 // ln 2 - 0.25 per unit mass squared, and g (2 3 + 3 3) = 30.
 BOOST_AUTO_TEST_CASE(adds_the_potential_energies_of_its_laws) {
-  const Scene scene(two_particles(), Open{}, monograph, Weight{2.0});
+  const Scene scene(two_particles(), Space{}, monograph, Weight{2.0});
   const double ln2 = 0.693147180559945309;
   BOOST_TEST(scene.potential_energy(start(scene)) == 6.0 * (ln2 - 0.25) + 30.0, boost::test_tools::tolerance(1e-15));
-  const Scene free(two_particles(), Open{});
+  const Scene free(two_particles(), Space{});
   BOOST_TEST(free.potential_energy(start(free)) == 0.0);
 }
 
 // (3, 4, 0) and (0, 0, 2): 5 + 2. A flat norm would make sqrt 29 or 9 of it.
 BOOST_AUTO_TEST_CASE(measures_by_the_sum_over_particles) {
-  const Scene scene(two_particles(), Open{});
+  const Scene scene(two_particles(), Space{});
   Eigen::VectorXd x = Eigen::VectorXd::Zero(6), y = x;
   x << 3.0, 0.0, 4.0, 0.0, 0.0, 2.0;
   BOOST_TEST(scene.distance(x, y) == 7.0);
@@ -249,11 +225,11 @@ BOOST_AUTO_TEST_CASE(measures_by_the_sum_over_particles) {
 }
 
 BOOST_AUTO_TEST_CASE(without_particles_and_without_laws_is_a_scene) {
-  const Scene empty(no_particles(), Open{}, monograph, Weight{1.0});
+  const Scene empty(no_particles(), Space{}, monograph, Weight{1.0});
   Eigen::VectorXd none(0);
   BOOST_TEST(empty.acceleration(0.0, none, none));
   BOOST_TEST(empty.potential_energy(start(empty)) == 0.0);
-  const Scene free(two_particles(), Open{});
+  const Scene free(two_particles(), Space{});
   BOOST_TEST(close(total_force(free), Eigen::VectorXd::Zero(6), {}));
 }
 
@@ -262,10 +238,10 @@ BOOST_AUTO_TEST_CASE(moves_alike_to_the_last_bit_when_scaled_by_powers_of_two) {
   const Scales by{.length = 8.0, .time = 0.25, .mass = 2.0};
   const CentralForce law{.alpha1 = 0.7, .alpha2 = 0.3, .beta1 = 2.0, .beta2 = 3.0};
   const CentralForce big_law = scaled(law, by);
-  const Scene small(two_particles(), Open{}, NearField{law.alpha1, law.alpha2, law.beta1, law.beta2});
-  const Scene big(scaled(two_particles(), by), Open{},
+  const Scene small(two_particles(), Space{}, NearField{law.alpha1, law.alpha2, law.beta1, law.beta2});
+  const Scene big(scaled(two_particles(), by), Space{},
                   NearField{big_law.alpha1, big_law.alpha2, big_law.beta1, big_law.beta2, by.length});
-  Motion state = start(small), image = start(big);
+  State state = start(small), image = start(big);
   VelocityVerlet scheme, its_scheme;
   FixedStep control{.step = 0.01}, its_control{.step = 0.01 * by.time};
   BOOST_TEST(integrate(small, state, 0.3, scheme, control).steps == 30);
@@ -280,8 +256,8 @@ BOOST_AUTO_TEST_SUITE_END()
 BOOST_AUTO_TEST_SUITE(start_)
 
 BOOST_AUTO_TEST_CASE(reads_positions_and_velocities_column_by_column) {
-  const Scene scene(two_particles(), Open{});
-  const Motion state = start(scene);
+  const Scene scene(two_particles(), Space{});
+  const State state = start(scene);
   Eigen::VectorXd r(6), v(6);
   r << 1.0, 3.0, 2.0, 2.0, 3.0, 3.0;
   v << 0.5, 0.0, 0.0, 0.25, -1.0, 2.0;
@@ -298,7 +274,7 @@ BOOST_AUTO_TEST_SUITE(immovable)
 BOOST_AUTO_TEST_CASE(particles_are_not_accelerated_but_pull_with_their_mass) {
   Particles held = two_particles();
   held.immovable = {true, false};
-  const Scene scene(held, Open{}, monograph, Drag{6.0});
+  const Scene scene(held, Space{}, monograph, Drag{6.0});
   Eigen::VectorXd a(6), expected(6), f(6);
   BOOST_TEST(scene.acceleration(0.0, start(scene).r, start(scene).v, a));
   expected << 0.0, -0.75, 0.0, -0.5, 0.0, -4.0;
@@ -310,7 +286,7 @@ BOOST_AUTO_TEST_CASE(particles_are_not_accelerated_but_pull_with_their_mass) {
 BOOST_AUTO_TEST_CASE(flags_are_checked) {
   Particles held = two_particles();
   held.immovable = {true};
-  BOOST_CHECK_EXCEPTION(Scene(held, Open{}), std::invalid_argument, says("immovable must be empty or hold one entry"));
+  BOOST_CHECK_EXCEPTION(Scene(held, Space{}), std::invalid_argument, says("immovable must be empty or hold one entry"));
 }
 
 // The second sphere overlaps an immovable first: at e = 0.5 it turns, and takes all the change of energy.
@@ -319,8 +295,8 @@ BOOST_AUTO_TEST_CASE(particles_send_others_back) {
   held.position(1, 0) = 1.75;
   held.velocity = Vectors{{0.0, 0.0, 0.0}, {-2.0, 1.0, 0.0}};
   held.immovable = {true, false};
-  const Scene scene(held, Open{}, Contact{.restitution = ConstantRestitution{0.5}});
-  Motion state = start(scene);
+  const Scene scene(held, Space{}, Contact{.restitution = ConstantRestitution{0.5}});
+  State state = start(scene);
   const Jump jump = scene.jump(state, 0.1);
   Eigen::VectorXd expected(6);
   expected << 0.0, 1.0, 0.0, 1.0, 0.0, 0.0;
@@ -333,13 +309,13 @@ BOOST_AUTO_TEST_SUITE_END()
 BOOST_AUTO_TEST_SUITE(Walled_)
 
 BOOST_AUTO_TEST_CASE(domain_is_checked) {
-  const Walled crooked{{Wall{.normal = {0.0, 0.0, 2.0}}}};
+  const Space crooked{{Wall{.normal = {0.0, 0.0, 2.0}}}};
   BOOST_CHECK_EXCEPTION(Scene(ball(1.0, {0.0, 0.0, 0.0}), crooked, Gravity{}), std::invalid_argument,
                         says("wall 0: its normal must be a unit vector, got (0, 0, 2) of length 2"));
 }
 
 BOOST_AUTO_TEST_CASE(domain_is_not_felt_by_near_fields) {
-  const Scene open(two_particles(), Open{}, monograph);
+  const Scene open(two_particles(), Space{}, monograph);
   const Scene walled(two_particles(), floor_at_zero, monograph);
   BOOST_TEST(close(total_force(open), total_force(walled), {}));
   BOOST_TEST(open.potential_energy(start(open)) == walled.potential_energy(start(walled)));
@@ -350,16 +326,16 @@ BOOST_AUTO_TEST_SUITE_END()
 BOOST_AUTO_TEST_SUITE(jump_)
 
 BOOST_AUTO_TEST_CASE(checks_its_law) {
-  BOOST_CHECK_EXCEPTION(Scene(two_particles(), Open{}, Contact{.restitution = ConstantRestitution{-0.5}}),
+  BOOST_CHECK_EXCEPTION(Scene(two_particles(), Space{}, Contact{.restitution = ConstantRestitution{-0.5}}),
                         std::invalid_argument, says("e must lie in [0, 1], got -0.5"));
-  BOOST_CHECK_EXCEPTION(Scene(two_particles(), Open{}, Contact{.gamma = 2.0}), std::invalid_argument,
+  BOOST_CHECK_EXCEPTION(Scene(two_particles(), Space{}, Contact{.gamma = 2.0}), std::invalid_argument,
                         says("gamma must lie between 0 and 1, got 2"));
 }
 
 // The normal part of (1, 0, -2) turns at e = 0.5; a position does not change.
 BOOST_AUTO_TEST_CASE(bounces_off_a_wall) {
   const Scene scene(ball(0.375, {1.0, 0.0, -2.0}), floor_at_zero, Contact{.restitution = ConstantRestitution{0.5}});
-  Motion state = start(scene);
+  State state = start(scene);
   const Jump jump = scene.jump(state, 0.1);
   BOOST_TEST(close(state.v, Eigen::Vector3d(1.0, 0.0, 1.0), {}));
   BOOST_TEST(close(state.r, start(scene).r, {}));
@@ -374,15 +350,15 @@ BOOST_AUTO_TEST_CASE(bounces_off_a_wall) {
 BOOST_AUTO_TEST_CASE(rubs_on_a_wall) {
   const Contact law{.restitution = ConstantRestitution{0.5}, .friction = Friction{.mu_s = 0.1, .mu_d = 0.1}};
   const Scene scene(ball(0.375, {1.0, 0.0, -2.0}), floor_at_zero, law);
-  Motion state = start(scene);
+  State state = start(scene);
   BOOST_TEST(scene.jump(state, 0.1).impacts == 1);
   BOOST_TEST(close(state.v, Eigen::Vector3d(0.7, 0.0, 1.0), {.relative = 1e-15}));
 }
 
 BOOST_AUTO_TEST_CASE(turns_in_a_corner) {
-  const Walled corner{{Wall{}, Wall{.point = {-0.25, 0.0, 0.0}, .normal = {1.0, 0.0, 0.0}}}};
+  const Space corner{{Wall{}, Wall{.point = {-0.25, 0.0, 0.0}, .normal = {1.0, 0.0, 0.0}}}};
   const Scene scene(ball(0.375, {-4.0, 3.0, -2.0}), corner, Contact{.restitution = ConstantRestitution{0.5}});
-  Motion state = start(scene);
+  State state = start(scene);
   const Jump jump = scene.jump(state, 0.1);
   BOOST_TEST(close(state.v, Eigen::Vector3d(2.0, 3.0, 1.0), {}));
   BOOST_TEST(jump.impacts == 2);
@@ -393,7 +369,7 @@ BOOST_AUTO_TEST_CASE(turns_in_a_corner) {
 BOOST_AUTO_TEST_CASE(leaves_alone_what_is_on_its_way_out) {
   for (const double h : {0.25, -3.0}) {
     const Scene scene(ball(h, {1.0, 0.0, 2.0}), floor_at_zero, Gravity{}, Contact{});
-    Motion state = start(scene);
+    State state = start(scene);
     const Jump jump = scene.jump(state, 0.1);
     BOOST_TEST(close(state.v, Eigen::Vector3d(1.0, 0.0, 2.0), {}));
     BOOST_TEST(jump.impacts == 0);
@@ -407,7 +383,7 @@ BOOST_AUTO_TEST_CASE(leaves_alone_what_is_on_its_way_out) {
 BOOST_AUTO_TEST_CASE(counts_in_the_forces_of_the_other_laws) {
   const Scene scene(ball(0.375, {0.0, 0.0, -2.0}), floor_at_zero, Gravity{{0.0, 0.0, -10.0}},
                     Contact{.restitution = ConstantRestitution{0.5}, .gamma = 0.01});
-  Motion state = start(scene);
+  State state = start(scene);
   BOOST_TEST(scene.jump(state, 0.5).evaluations == 1);
   BOOST_TEST(state.v[2] == 1.05, tolerance(1e-14));
 }
@@ -415,7 +391,7 @@ BOOST_AUTO_TEST_CASE(counts_in_the_forces_of_the_other_laws) {
 BOOST_AUTO_TEST_CASE(shows_velocities_to_the_law_that_asks) {
   const Scene scene(ball(0.375, {0.0, 0.0, -2.0}), floor_at_zero, Drag{10.0},
                     Contact{.restitution = ConstantRestitution{0.5}, .gamma = 0.01});
-  Motion state = start(scene);
+  State state = start(scene);
   BOOST_TEST(scene.jump(state, 0.5).impacts == 1);
   BOOST_TEST(state.v[2] == 0.95, tolerance(1e-14));  // the drag gives +10 m/s^2
 }
@@ -423,26 +399,26 @@ BOOST_AUTO_TEST_CASE(shows_velocities_to_the_law_that_asks) {
 BOOST_AUTO_TEST_CASE(is_unsettled_where_forces_have_no_value_or_centres_coincide) {
   Particles outside = two_particles();
   outside.position << 11.0, 0.0, 0.0, 11.5, 0.0, 0.0;
-  const Scene valueless(outside, Open{}, Slab{}, Contact{});
-  Motion state = start(valueless);
+  const Scene valueless(outside, Space{}, Slab{}, Contact{});
+  State state = start(valueless);
   BOOST_TEST(valueless.jump(state, 0.1).unsettled == "the forces have no value where bodies touch");
   BOOST_TEST(close(state.v, start(valueless).v, {}));
   outside.position.row(1) = outside.position.row(0);
-  const Scene coincident(outside, Open{}, Contact{});
+  const Scene coincident(outside, Space{}, Contact{});
   state = start(coincident);
   BOOST_TEST(coincident.jump(state, 0.1).unsettled.find("particles 0 and 1 touch with the same centre") == 0U);
 }
 
 BOOST_AUTO_TEST_CASE(refuses_vectors_of_another_length) {
-  const Scene scene(two_particles(), Open{}, Contact{});
-  Motion state = start(scene);
+  const Scene scene(two_particles(), Space{}, Contact{});
+  State state = start(scene);
   state.v.resize(3);
   BOOST_CHECK_EXCEPTION((void)scene.jump(state, 0.1), std::invalid_argument, says("must hold 6 numbers, got 3"));
 }
 
 BOOST_AUTO_TEST_CASE(does_nothing_without_particles) {
   const Scene empty(no_particles(), floor_at_zero, Gravity{}, Contact{});
-  Motion state = start(empty);
+  State state = start(empty);
   BOOST_TEST(empty.jump(state, 0.1).impacts == 0);
 }
 
@@ -453,8 +429,8 @@ BOOST_AUTO_TEST_SUITE(integrate_)
 // Sequential contacts pass the hit on in one step; summed ones need a step each, after which the next pair overlaps.
 BOOST_AUTO_TEST_CASE(lets_a_cradle_swing) {
   for (const Resolution order : {Resolution::sequential, Resolution::summed}) {
-    const Scene scene(cradle(), Open{}, Contact<>{.resolution = order});
-    Motion state = start(scene);
+    const Scene scene(cradle(), Space{}, Contact<>{.resolution = order});
+    State state = start(scene);
     VelocityVerlet scheme;
     FixedStep control{.step = 0.01};
     const Outcome outcome = integrate(scene, state, 0.1, scheme, control);
@@ -472,7 +448,7 @@ BOOST_AUTO_TEST_CASE(lets_a_cradle_swing) {
 // turns there; e = 0.5 leaves 2 m/s.
 BOOST_AUTO_TEST_CASE(reports_impacts_overlap_and_energy) {
   const Scene scene(ball(1.0, {0.0, 0.0, -4.0}), floor_at_zero, Contact{.restitution = ConstantRestitution{0.5}});
-  Motion state = start(scene);
+  State state = start(scene);
   VelocityVerlet scheme;
   FixedStep control{.step = 0.0625};
   const Outcome outcome = integrate(scene, state, 0.5, scheme, control);
@@ -486,8 +462,8 @@ BOOST_AUTO_TEST_CASE(fails_where_a_jump_is_not_settled) {
   Particles together = two_particles();
   together.position = Vectors{{0.0, 0.0, 0.0}, {4.0, 0.0, 0.0}};
   together.velocity = Vectors{{2.0, 0.0, 0.0}, {-2.0, 0.0, 0.0}};
-  const Scene scene(together, Open{}, Contact{});
-  Motion state = start(scene);
+  const Scene scene(together, Space{}, Contact{});
+  State state = start(scene);
   VelocityVerlet scheme;
   FixedStep control{.step = 1.0};
   const Outcome outcome = integrate(scene, state, 2.0, scheme, control);
@@ -503,12 +479,12 @@ BOOST_AUTO_TEST_CASE(gains_no_energy_in_a_resting_contact) {
   for (const double e : {0.0, 0.5, 0.9}) {
     const Scene scene(ball(0.5, {0.0, 0.0, 0.0}), floor_at_zero, Gravity{{0.0, 0.0, -g}},
                       Contact{.restitution = ConstantRestitution{e}, .gamma = gamma});
-    Motion state = start(scene);
+    State state = start(scene);
     VelocityVerlet scheme;
     FixedStep control{.step = dt};
     const double energy = scene.potential_energy(state);
     double most = -1.0, last_sink = 0.0, approach = 0.0;
-    const auto observe = [&](const Motion& from, const Motion& to, double, const VelocityVerlet&) {
+    const auto observe = [&](const State& from, const State& to, double, const VelocityVerlet&) {
       most = std::max(most, from.v.squaredNorm() + scene.potential_energy(from) - energy);
       last_sink = from.r[2] - to.r[2];
       approach = -to.v[2];

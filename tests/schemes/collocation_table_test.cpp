@@ -9,13 +9,7 @@
 
 namespace tests::collocation_table_test {
 
-using particulate::schemes::collocation_coefficients;
-using particulate::schemes::CollocationCoefficients;
-using particulate::schemes::CollocationTable;
-using particulate::schemes::Gauss;
-using particulate::schemes::gauss_nodes;
-using particulate::schemes::Radau;
-using particulate::schemes::radau_nodes;
+using namespace particulate::schemes;
 
 // By how much sum_j weights_j c_j^(k-1) misses upto^k/k, the integral of x^(k-1), for k up to `order`.
 double defect(const Eigen::VectorXd& weights, const Eigen::VectorXd& c, double upto, int order) {
@@ -73,15 +67,15 @@ BOOST_AUTO_TEST_CASE(refuse_a_number_of_stages_that_is_not_offered) {
 
 BOOST_AUTO_TEST_SUITE_END()
 
-BOOST_AUTO_TEST_SUITE(collocation_coefficients_)
+BOOST_AUTO_TEST_SUITE(collocation_table_)
 
 // @cite hairer1993, tables II.7.3 and 7.7.
 BOOST_AUTO_TEST_CASE(are_those_of_the_literature_for_two_stages) {
   const double root = std::sqrt(3.0) / 6.0;
-  const CollocationCoefficients gauss = collocation_coefficients(gauss_nodes(2));
+  const CollocationTable gauss = collocation_table(gauss_nodes(2));
   BOOST_TEST(close(gauss.A, Eigen::Matrix2d{{0.25, 0.25 - root}, {0.25 + root, 0.25}}, {.absolute = 1e-16}));
   BOOST_TEST(close(gauss.b, Eigen::Vector2d(0.5, 0.5), {.absolute = 1e-16}));
-  const CollocationCoefficients radau = collocation_coefficients(radau_nodes(2));
+  const CollocationTable radau = collocation_table(radau_nodes(2));
   BOOST_TEST(close(radau.A, Eigen::Matrix2d{{5.0 / 12.0, -1.0 / 12.0}, {0.75, 0.25}}, {.absolute = 1e-16}));
   BOOST_TEST(close(radau.b, Eigen::Vector2d(0.75, 0.25), {.absolute = 1e-16}));
 }
@@ -89,20 +83,20 @@ BOOST_AUTO_TEST_CASE(are_those_of_the_literature_for_two_stages) {
 // A A = A/2 - I/12 for two Gauss stages: the characteristic polynomial of A is x^2 - x/2 + 1/12. What a rate adds to
 // the velocity at c_j moves the body for the rest of the step: b_bar_j = b_j (1 - c_j).
 BOOST_AUTO_TEST_CASE(of_the_nystrom_form_are_those_of_the_method_applied_twice) {
-  const CollocationCoefficients gauss = collocation_coefficients(gauss_nodes(2));
+  const CollocationTable gauss = collocation_table(gauss_nodes(2));
   const Eigen::Matrix2d twice = 0.5 * gauss.A - Eigen::Matrix2d::Identity() / 12.0;
   BOOST_TEST(close(gauss.A_bar, twice, {.absolute = 1e-16}));
   const Eigen::Vector2d by_parts = gauss.b.array() * (1.0 - gauss.c.array());
   BOOST_TEST(close(gauss.b_bar, by_parts, {.absolute = 1e-16}));
-  const CollocationCoefficients euler = collocation_coefficients(radau_nodes(1));
+  const CollocationTable euler = collocation_table(radau_nodes(1));
   BOOST_TEST(euler.A_bar(0, 0) == 1.0);
   BOOST_TEST(euler.b_bar[0] == 1.0);
 }
 
 BOOST_AUTO_TEST_CASE(integrate_polynomials_up_to_the_nodes_and_to_the_end) {
   for (int s = 1; s <= 16; ++s) {
-    const CollocationCoefficients gauss = collocation_coefficients(gauss_nodes(s));
-    const CollocationCoefficients radau = collocation_coefficients(radau_nodes(s));
+    const CollocationTable gauss = collocation_table(gauss_nodes(s));
+    const CollocationTable radau = collocation_table(radau_nodes(s));
     BOOST_TEST(defect(gauss.b, gauss.c, 1.0, 2 * s) <= rounding);
     BOOST_TEST(defect(radau.b, radau.c, 1.0, 2 * s - 1) <= rounding);
     BOOST_TEST(defect(gauss.w, gauss.x, 1.0, 2 * s) <= rounding);
@@ -116,7 +110,7 @@ BOOST_AUTO_TEST_CASE(integrate_polynomials_up_to_the_nodes_and_to_the_end) {
 // b_i a_ij + b_j a_ji = b_i b_j: @cite hairer2006, section IV.2.1.
 BOOST_AUTO_TEST_CASE(make_gauss_symplectic) {
   for (int s = 1; s <= 16; ++s) {
-    const CollocationCoefficients of = collocation_coefficients(gauss_nodes(s));
+    const CollocationTable of = collocation_table(gauss_nodes(s));
     const Eigen::MatrixXd weighted = of.b.asDiagonal() * of.A;
     const Eigen::MatrixXd sum = weighted + weighted.transpose(), product = of.b * of.b.transpose();
     BOOST_TEST(close(sum, product, {.absolute = 1e-16}));
@@ -125,7 +119,7 @@ BOOST_AUTO_TEST_CASE(make_gauss_symplectic) {
 
 BOOST_AUTO_TEST_CASE(refuse_nodes_that_do_not_rise_within_the_step) {
   const auto refuses = [](const std::vector<long double>& nodes, const char* words) {
-    BOOST_CHECK_EXCEPTION(collocation_coefficients(nodes), std::invalid_argument, says(words));
+    BOOST_CHECK_EXCEPTION(collocation_table(nodes), std::invalid_argument, says(words));
   };
   refuses({0.0L, 1.0L}, "nodes must rise within (0, 1], got 0 as number 1");
   refuses({0.5L, 0.5L}, "got 0.5 as number 2");
@@ -139,13 +133,13 @@ BOOST_AUTO_TEST_SUITE_END()
 BOOST_AUTO_TEST_SUITE(CollocationTable_)
 
 BOOST_AUTO_TEST_CASE(has_polynomials_that_are_one_at_their_own_node) {
-  const auto& of = CollocationTable<Radau<3>>::get();
+  const auto& of = table_of<Radau<3>>();
   for (int i = 0; i < 3; ++i) { BOOST_TEST(close(of.basis(of.c[i]), Eigen::Vector3d::Unit(i), {.absolute = 1e-15})); }
 }
 
 // x^2 - 3 x through its values at three nodes, inside and well beyond.
 BOOST_AUTO_TEST_CASE(runs_polynomials_on_and_integrates_them_once_and_twice) {
-  const auto& of = CollocationTable<Gauss<3>>::get();
+  const auto& of = table_of<Gauss<3>>();
   const Eigen::Vector3d values = of.c.array() * (of.c.array() - 3.0);
   for (const double x : {0.0, 0.3, 1.0, 2.5}) {
     BOOST_TEST(std::abs(of.basis(x).dot(values) - x * (x - 3.0)) <= 1e-14);
@@ -156,7 +150,7 @@ BOOST_AUTO_TEST_CASE(runs_polynomials_on_and_integrates_them_once_and_twice) {
 }
 
 BOOST_AUTO_TEST_CASE(has_its_weights_at_the_nodes_and_at_the_end) {
-  const auto& of = CollocationTable<Gauss<3>>::get();
+  const auto& of = table_of<Gauss<3>>();
   BOOST_TEST(close(of.once(1.0), of.b, {.absolute = 4e-16}));
   BOOST_TEST(close(of.twice(1.0), of.b_bar, {.absolute = 4e-16}));
   for (int i = 0; i < 3; ++i) {
@@ -168,7 +162,7 @@ BOOST_AUTO_TEST_CASE(has_its_weights_at_the_nodes_and_at_the_end) {
 
 // The leading coefficient of 2 - x + 5 x^2 is 5.
 BOOST_AUTO_TEST_CASE(knows_the_leading_coefficient) {
-  const auto& of = CollocationTable<Gauss<3>>::get();
+  const auto& of = table_of<Gauss<3>>();
   const Eigen::Vector3d values = 2.0 - of.c.array() + 5.0 * of.c.array().square();
   BOOST_TEST(std::abs(of.top.dot(values) - 5.0) <= 1e-13);
 }

@@ -13,29 +13,7 @@
 
 namespace tests::collocation_test {
 
-using particulate::schemes::BackwardEuler;
-using particulate::schemes::Collocation;
-using particulate::schemes::CollocationSettings;
-using particulate::schemes::Counted;
-using particulate::schemes::Dense;
-using particulate::schemes::EstimatesTruncation;
-using particulate::schemes::Failure;
-using particulate::schemes::FixedStep;
-using particulate::schemes::Gauss;
-using particulate::schemes::Guess;
-using particulate::schemes::In;
-using particulate::schemes::integrate;
-using particulate::schemes::Iteration;
-using particulate::schemes::Iterative;
-using particulate::schemes::State;
-using particulate::schemes::Newton;
-using particulate::schemes::Out;
-using particulate::schemes::Outcome;
-using particulate::schemes::Picard;
-using particulate::schemes::Radau;
-using particulate::schemes::Truncation;
-using particulate::schemes::validate;
-using particulate::schemes::State;
+using namespace particulate::schemes;
 
 using Gauss3 = Collocation<Gauss<3>>;
 using Stiff = Collocation<Radau<3>, Newton<>>;
@@ -60,14 +38,15 @@ struct Decay {
   }
 };
 
-static_assert(Iterative<Gauss3, Spring, Motion> && Dense<Gauss3, Motion> &&
-              EstimatesTruncation<Gauss3, Spring, Motion>);
-static_assert(Iterative<Stiff, Decay, Values> && Dense<Stiff, Values> && EstimatesTruncation<Stiff, Decay, Values>);
+static_assert(Iterative<Gauss3> && Dense<Gauss3> && EstimatesTruncation<Gauss3> && Advances<Gauss3, Spring>);
+static_assert(Iterative<Stiff> && Dense<Stiff> && EstimatesTruncation<Stiff> && Advances<Stiff, Decay>);
 
-Motion at(double r, double v) { return {0.0, Eigen::VectorXd::Constant(1, r), Eigen::VectorXd::Constant(1, v)}; }
+State at(double r, double v) {
+  return {.t = 0.0, .r = Eigen::VectorXd::Constant(1, r), .v = Eigen::VectorXd::Constant(1, v)};
+}
 
 // One step, its sweeps to rounding, accepted.
-template <class S, class P, class State>
+template <class S, class P>
 State stepped(S& scheme, P& problem, const State& from, double dt) {
   State to = from;
   BOOST_REQUIRE(scheme.predict(problem, from, dt, to));
@@ -77,14 +56,14 @@ State stepped(S& scheme, P& problem, const State& from, double dt) {
 }
 
 // Right-hand sides asked for by the guess of a step.
-long asked_by_guess(Gauss3 scheme, const Motion& from, double dt) {
+long asked_by_guess(Gauss3 scheme, const State& from, double dt) {
   Spring problem;
-  Motion to;
+  State to;
   BOOST_REQUIRE(scheme.predict(problem, from, dt, to));
   return static_cast<long>(problem.asked.size());
 }
 
-template <class S, class P, class State>
+template <class S, class P>
 Truncation estimated(S scheme, P problem, const State& from, double dt) {
   State to = from;
   BOOST_REQUIRE(scheme.predict(problem, from, dt, to));
@@ -98,8 +77,8 @@ BOOST_AUTO_TEST_CASE(of_one_radau_stage_from_free_flight_is_the_monographs_schem
   Spring problem{.stiffness = 2.0};
   Collocation<Radau<1>, Picard> scheme({.guess = Guess::free_flight, .compensated = false});
   BackwardEuler euler;
-  const Motion from = at(1.0, 2.0);
-  Motion to, other;
+  const State from = at(1.0, 2.0);
+  State to, other;
   scheme.predict(problem, from, 0.375, to);
   euler.predict(problem, from, 0.375, other);
   for (int k = 0; k < 6; ++k) {
@@ -116,9 +95,9 @@ BOOST_AUTO_TEST_CASE(of_one_radau_stage_from_free_flight_is_the_monographs_schem
 BOOST_AUTO_TEST_CASE(has_the_polynomial_of_the_step_anywhere_in_it) {
   Spring problem{.stiffness = 0.0, .push = 6.0};
   Gauss3 scheme;
-  const Motion from = at(0.0, 0.0), to = stepped(scheme, problem, from, 0.5);
+  const State from = at(0.0, 0.0), to = stepped(scheme, problem, from, 0.5);
   BOOST_TEST(std::abs(to.r[0] - 0.125) <= 3e-17);
-  Motion there;
+  State there;
   const double node = 0.5 + std::sqrt(15.0) / 10.0;
   for (const double theta : {0.0, 0.3, node, 1.0, 1.2}) {
     scheme.at(from, 0.5, theta, there);
@@ -131,8 +110,8 @@ BOOST_AUTO_TEST_CASE(has_the_polynomial_of_the_step_anywhere_in_it) {
 BOOST_AUTO_TEST_CASE(has_dense_output_that_begins_at_the_start_and_ends_at_the_end) {
   Spring problem{.stiffness = 4.0};
   Gauss3 scheme;
-  const Motion from = at(1.0, 2.0), to = stepped(scheme, problem, from, 0.5);
-  Motion there;
+  const State from = at(1.0, 2.0), to = stepped(scheme, problem, from, 0.5);
+  State there;
   scheme.at(from, 0.5, 0.0, there);
   BOOST_TEST(there.r[0] == 1.0);
   BOOST_TEST(there.v[0] == 2.0);
@@ -146,7 +125,7 @@ BOOST_AUTO_TEST_CASE(has_dense_output_that_begins_at_the_start_and_ends_at_the_e
 BOOST_AUTO_TEST_CASE(draws_later_stages_of_the_first_sweep_through_the_rates_found_so_far) {
   Spring problem{.stiffness = 0.0, .push = 6.0};
   Gauss3 scheme;
-  Motion to;
+  State to;
   scheme.predict(problem, at(0.0, 0.0), 0.5, to);
   scheme.sweep(problem, at(0.0, 0.0), 0.5, to);
   BOOST_TEST_REQUIRE(problem.asked.size() == 4U);
@@ -158,17 +137,17 @@ BOOST_AUTO_TEST_CASE(draws_later_stages_of_the_first_sweep_through_the_rates_fou
 BOOST_AUTO_TEST_CASE(extrapolates_where_the_step_goes_on_and_begins_anew_elsewhere) {
   Spring problem;
   Gauss3 scheme;
-  const Motion end = stepped(scheme, problem, at(1.0, 2.0), 0.25);
+  const State end = stepped(scheme, problem, at(1.0, 2.0), 0.25);
   BOOST_TEST(asked_by_guess(scheme, end, 0.25) == 0);
   const auto changed = [&](auto change) {
-    Motion other = end;
+    State other = end;
     change(other);
     return asked_by_guess(scheme, other, 0.25);
   };
-  BOOST_TEST(changed([](Motion& m) { m.t = std::nextafter(m.t, 1.0); }) == 0);
-  BOOST_TEST(changed([](Motion& m) { m.t += 0.1; }) == 1);
-  BOOST_TEST(changed([](Motion& m) { m.r[0] = std::nextafter(m.r[0], 9.0); }) == 1);
-  BOOST_TEST(changed([](Motion& m) { m.v[0] = -m.v[0]; }) == 1);
+  BOOST_TEST(changed([](State& m) { m.t = std::nextafter(m.t, 1.0); }) == 0);
+  BOOST_TEST(changed([](State& m) { m.t += 0.1; }) == 1);
+  BOOST_TEST(changed([](State& m) { m.r[0] = std::nextafter(m.r[0], 9.0); }) == 1);
+  BOOST_TEST(changed([](State& m) { m.v[0] = -m.v[0]; }) == 1);
   scheme.forget();
   BOOST_TEST(asked_by_guess(scheme, end, 0.25) == 1);
 }
@@ -176,8 +155,8 @@ BOOST_AUTO_TEST_CASE(extrapolates_where_the_step_goes_on_and_begins_anew_elsewhe
 BOOST_AUTO_TEST_CASE(still_knows_the_last_step_when_one_is_made_again_smaller) {
   Spring problem;
   Gauss3 scheme;
-  const Motion end = stepped(scheme, problem, at(1.0, 2.0), 0.25);
-  Motion to;
+  const State end = stepped(scheme, problem, at(1.0, 2.0), 0.25);
+  State to;
   scheme.predict(problem, end, 0.5, to);
   scheme.sweep(problem, end, 0.5, to);
   BOOST_TEST(asked_by_guess(scheme, end, 0.25) == 0);
@@ -186,9 +165,9 @@ BOOST_AUTO_TEST_CASE(still_knows_the_last_step_when_one_is_made_again_smaller) {
 BOOST_AUTO_TEST_CASE(is_a_checkpoint_when_copied) {
   Spring problem;
   Gauss3 scheme;
-  const Motion end = stepped(scheme, problem, at(1.0, 2.0), 0.25);
+  const State end = stepped(scheme, problem, at(1.0, 2.0), 0.25);
   Gauss3 copy = scheme;
-  const Motion one = stepped(scheme, problem, end, 0.25), other = stepped(copy, problem, end, 0.25);
+  const State one = stepped(scheme, problem, end, 0.25), other = stepped(copy, problem, end, 0.25);
   BOOST_TEST(one.r[0] == other.r[0]);
   BOOST_TEST(one.v[0] == other.v[0]);
 }
@@ -198,7 +177,7 @@ BOOST_AUTO_TEST_CASE(adds_up_what_rounding_takes_from_the_state) {
   const auto after = [](bool compensated) {
     Spring drifting{.stiffness = 0.0};
     Gauss3 scheme({.compensated = compensated});
-    Motion state = at(1.0, 1e-17);
+    State state = at(1.0, 1e-17);
     FixedStep control{.step = 1.0};
     BOOST_REQUIRE(integrate(drifting, state, 1000.0, scheme, control).steps == 1000);
     return state.r[0];
@@ -215,7 +194,7 @@ BOOST_AUTO_TEST_CASE(estimates_an_error_that_falls_with_the_order_that_it_names)
     BOOST_TEST(std::abs(std::log2(whole.error / half.error) - (order + 1)) <= 0.2);
   };
   falls(Gauss3(), Spring(), at(1.0, 2.0), 6);
-  falls(Stiff(), Decay(), Values{0.0, Eigen::VectorXd::Ones(1)}, 3);
+  falls(Stiff(), Decay(), State{.t = 0.0, .y = Eigen::VectorXd::Ones(1)}, 3);
 }
 
 BOOST_AUTO_TEST_CASE(has_no_estimate_for_one_stage_without_a_last_step) {
@@ -227,7 +206,7 @@ BOOST_AUTO_TEST_CASE(has_no_estimate_for_one_stage_without_a_last_step) {
 BOOST_AUTO_TEST_CASE(refuses_a_singular_system_with_the_reason) {
   const Decay growth{.rate_of = -2.0};
   Collocation<Radau<1>, Newton<>> scheme;
-  Values state{0.0, Eigen::VectorXd::Ones(1)};
+  State state{.t = 0.0, .y = Eigen::VectorXd::Ones(1)};
   FixedStep control{.step = 0.5};
   const Outcome outcome = integrate(growth, state, 0.5, scheme, control);
   BOOST_TEST((outcome.failure == Failure::no_value));
@@ -239,16 +218,33 @@ BOOST_AUTO_TEST_CASE(refuses_a_singular_system_with_the_reason) {
 BOOST_AUTO_TEST_CASE(solves_a_linear_problem_by_newton) {
   Decay decay;
   Stiff scheme;
-  const Values to = stepped(scheme, decay, Values{0.0, Eigen::VectorXd::Ones(1)}, 1.0);
+  const State to = stepped(scheme, decay, State{.t = 0.0, .y = Eigen::VectorXd::Ones(1)}, 1.0);
   BOOST_TEST(std::abs(to.y[0] - 0.65 / (1.0 + 0.6 + 0.15 + 1.0 / 60.0)) <= 2e-16);
+}
+
+// Springs of 2, 3, 1 and 5 unknowns, one after another, by a scheme that has solved others and by a new one.
+BOOST_AUTO_TEST_CASE(serves_one_problem_after_another_of_different_length_by_newton) {
+  Collocation<Gauss<3>, Newton<>> used;
+  for (const Eigen::Index n : {2, 3, 1, 5}) {
+    Spring spring{.stiffness = static_cast<double>(n)};
+    State state{.r = Eigen::VectorXd::LinSpaced(n, 1.0, 2.0), .v = Eigen::VectorXd::Zero(n)}, again = state;
+    Collocation<Gauss<3>, Newton<>> fresh;
+    FixedStep control{.step = 0.25};
+    const Outcome outcome = integrate(spring, state, 1.0, used, control);
+    BOOST_TEST(outcome.reason == "");
+    BOOST_TEST(outcome.evaluations == integrate(spring, again, 1.0, fresh, control).evaluations);
+    BOOST_TEST(close(flat(state), flat(again), {}));
+    const double root = std::sqrt(static_cast<double>(n));
+    BOOST_TEST(close(state.r, std::cos(root) * Eigen::VectorXd::LinSpaced(n, 1.0, 2.0), {.absolute = 1e-4}));
+  }
 }
 
 BOOST_AUTO_TEST_CASE(wants_as_many_sizes_as_unknowns) {
   Decay decay;
   Stiff scheme({.sizes = Eigen::Vector2d(1.0, 2.0)});
-  Values to;
-  BOOST_CHECK_EXCEPTION(scheme.predict(decay, Values{0.0, Eigen::VectorXd::Ones(1)}, 1.0, to), std::invalid_argument,
-                        says("sizes must be one for each of 1 unknowns, got 2"));
+  State to;
+  BOOST_CHECK_EXCEPTION(scheme.predict(decay, State{.t = 0.0, .y = Eigen::VectorXd::Ones(1)}, 1.0, to),
+                        std::invalid_argument, says("sizes must be one for each of 1 unknowns, got 2"));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -6,12 +6,7 @@
 
 namespace tests::euler_test {
 
-using particulate::schemes::ForwardEuler;
-using particulate::schemes::In;
-using particulate::schemes::State;
-using particulate::schemes::Out;
-using particulate::schemes::Scheme;
-using particulate::schemes::State;
+using namespace particulate::schemes;
 
 // No value before t = 0.
 struct Damped {
@@ -27,7 +22,7 @@ struct Decay {
   }
 };
 
-static_assert(Scheme<ForwardEuler, Damped, Motion> && Scheme<ForwardEuler, Decay, Values>);
+static_assert(Advances<ForwardEuler, Damped> && Advances<ForwardEuler, Decay>);
 
 BOOST_AUTO_TEST_SUITE(ForwardEuler_)
 
@@ -35,9 +30,9 @@ BOOST_AUTO_TEST_SUITE(ForwardEuler_)
 BOOST_AUTO_TEST_CASE(moves_on_with_the_rates_of_the_start) {
   const Damped problem;
   ForwardEuler scheme;
-  Motion to;
-  BOOST_TEST(
-      scheme.predict(problem, {1.0, Eigen::VectorXd::Constant(1, 1.0), Eigen::VectorXd::Constant(1, 4.0)}, 0.25, to));
+  State to;
+  BOOST_TEST(scheme.predict(
+      problem, {.t = 1.0, .r = Eigen::VectorXd::Constant(1, 1.0), .v = Eigen::VectorXd::Constant(1, 4.0)}, 0.25, to));
   BOOST_TEST(to.t == 1.25);
   BOOST_TEST(to.r[0] == 2.0);
   BOOST_TEST(to.v[0] == 2.5);
@@ -46,8 +41,8 @@ BOOST_AUTO_TEST_CASE(moves_on_with_the_rates_of_the_start) {
 BOOST_AUTO_TEST_CASE(multiplies_a_decaying_value_by_one_minus_its_rate) {
   const Decay problem;
   ForwardEuler scheme;
-  Values to;
-  BOOST_TEST(scheme.predict(problem, {0.0, Eigen::VectorXd::Constant(1, 8.0)}, 0.25, to));
+  State to;
+  BOOST_TEST(scheme.predict(problem, {.t = 0.0, .y = Eigen::VectorXd::Constant(1, 8.0)}, 0.25, to));
   BOOST_TEST(to.y[0] == 2.0);
   BOOST_TEST(to.t == 0.25);
 }
@@ -56,10 +51,11 @@ BOOST_AUTO_TEST_CASE(says_that_there_is_no_value) {
   const Decay decay;
   const Damped damped;
   ForwardEuler scheme;
-  Values values;
-  Motion motion;
-  BOOST_TEST(!scheme.predict(decay, {-1.0, Eigen::VectorXd::Ones(1)}, 0.25, values));
-  BOOST_TEST(!scheme.predict(damped, {-1.0, Eigen::VectorXd::Ones(1), Eigen::VectorXd::Ones(1)}, 0.25, motion));
+  State values;
+  State motion;
+  BOOST_TEST(!scheme.predict(decay, {.t = -1.0, .y = Eigen::VectorXd::Ones(1)}, 0.25, values));
+  BOOST_TEST(
+      !scheme.predict(damped, {.t = -1.0, .r = Eigen::VectorXd::Ones(1), .v = Eigen::VectorXd::Ones(1)}, 0.25, motion));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

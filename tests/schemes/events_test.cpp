@@ -18,28 +18,7 @@
 namespace tests::events_test {
 
 using boost::test_tools::tolerance;
-using particulate::schemes::Action;
-using particulate::schemes::Attempt;
-using particulate::schemes::Decision;
-using particulate::schemes::describe;
-using particulate::schemes::Direction;
-using particulate::schemes::Events;
-using particulate::schemes::Failure;
-using particulate::schemes::FixedStep;
-using particulate::schemes::Hit;
-using particulate::schemes::In;
-using particulate::schemes::integrate;
-using particulate::schemes::Iteration;
-using particulate::schemes::Jump;
-using particulate::schemes::State;
-using particulate::schemes::Out;
-using particulate::schemes::Outcome;
-using particulate::schemes::Status;
-using particulate::schemes::Unobserved;
-using particulate::schemes::validate;
-using particulate::schemes::State;
-using particulate::schemes::Watch;
-using particulate::schemes::WatchSettings;
+using namespace particulate::schemes;
 
 constexpr double pi = std::numbers::pi;
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
@@ -50,11 +29,12 @@ struct Sine {
     return true;
   }
 };
-Values sine_start(double t = 0.5) { return {.t = t, .y = Eigen::VectorXd::Constant(1, std::sin(t))}; }
+State sine_start(double t = 0.5) { return {.t = t, .y = Eigen::VectorXd::Constant(1, std::sin(t))}; }
 
-// y less a level.
+// The first place, or without places the first value, less a level.
 Events crossing(double level, Direction direction) {
-  return {.functions = [level](double, In y, Out out) { out[0] = y[0] - level; }, .directions = {direction}};
+  return {.functions = [level](const State& at, Out out) { out[0] = (at.r.size() > 0 ? at.r[0] : at.y[0]) - level; },
+          .directions = {direction}};
 }
 Events recorded(Events events) {
   events.actions.assign(events.directions.size(), Action::record);
@@ -64,7 +44,7 @@ Events recorded(Events events) {
 struct Run {
   Outcome outcome;
   std::vector<Hit> hits;
-  Values state;
+  State state;
 };
 Run sine_until(double t_end, const Events& events, double step = 0.7, double start = 0.5) {
   const Sine problem;
@@ -89,7 +69,7 @@ struct Falling {
     return true;
   }
 };
-Motion thrown(double height, double speed) {
+State thrown(double height, double speed) {
   return {.t = 0.0, .r = Eigen::VectorXd::Constant(1, height), .v = Eigen::VectorXd::Constant(1, speed)};
 }
 
@@ -99,7 +79,7 @@ Events landing(double height = 0.0) { return crossing(height, Direction::falling
 // Thrown back from the ground with a part of its speed. The next impact is known in closed form, however soon it comes.
 struct Bouncing : Falling {
   double e = 1.0;
-  Jump jump(Motion& at, double) const {
+  Jump jump(State& at, double) const {
     if (!(at.r[0] <= 1e-13 && at.v[0] < 0.0)) return {};
     at.v *= -e;
     at.r.setZero();
@@ -107,7 +87,7 @@ struct Bouncing : Falling {
   }
   template <class Path>
   std::optional<double> first_jump(const Path& path, double end) const {
-    Motion there;
+    State there;
     path(0.0, there);
     const double h = std::max(there.r[0], 0.0), v = there.v[0];
     const double theta = 0.5 * (v + std::sqrt(v * v + 4.0 * h)) / path.dt;
@@ -194,7 +174,7 @@ BOOST_AUTO_TEST_SUITE(integrate_with_a_watch)
 BOOST_AUTO_TEST_CASE(stops_cleanly_at_a_condition) {
   const Falling problem;
   for (const double blur : {0.0, 0.1, -0.1}) {
-    Motion stone = thrown(1.0, 0.0);
+    State stone = thrown(1.0, 0.0);
     ExactFall scheme{.blur = blur};
     FixedStep control{.step = 0.3};
     Events events = landing();
@@ -220,7 +200,7 @@ BOOST_AUTO_TEST_CASE(stops_cleanly_at_a_condition) {
 BOOST_AUTO_TEST_CASE(counts_what_a_located_step_costs) {
   const Falling problem;
   const auto evaluations = [&](double blur) {
-    Motion stone = thrown(1.0, 0.0);
+    State stone = thrown(1.0, 0.0);
     ExactFall scheme{.blur = blur};
     FixedStep control{.step = 0.3};
     Watch watch(landing());
@@ -249,14 +229,14 @@ BOOST_AUTO_TEST_CASE(finds_several_in_one_step_in_their_order) {
 
 BOOST_AUTO_TEST_CASE(takes_events_of_one_time_together_in_the_order_of_their_functions) {
   const Events three{.functions =
-                         [](double, In y, Out out) {
-                           out[0] = y[0] - 0.6;
-                           out[1] = y[0] - 0.8;
-                           out[2] = 1.2 - 2.0 * y[0];
+                         [](const State& at, Out out) {
+                           out[0] = at.y[0] - 0.6;
+                           out[1] = at.y[0] - 0.8;
+                           out[2] = 1.2 - 2.0 * at.y[0];
                          },
                      .directions = {Direction::either, Direction::rising, Direction::either}};
   const Sine problem;
-  Values state = sine_start();
+  State state = sine_start();
   ExactSine scheme;
   FixedStep control{.step = 0.7};
   Watch watch(three);
@@ -272,7 +252,7 @@ BOOST_AUTO_TEST_CASE(takes_events_of_one_time_together_in_the_order_of_their_fun
 }
 
 BOOST_AUTO_TEST_CASE(stops_at_the_first_that_stops_and_remembers_the_others) {
-  Events events{.functions = [](double, In y, Out out) { out << y[0] - 0.6, y[0] - 0.9; },
+  Events events{.functions = [](const State& at, Out out) { out << at.y[0] - 0.6, at.y[0] - 0.9; },
                 .directions = {Direction::either, Direction::either},
                 .actions = {Action::record, Action::stop}};
   const Run run = sine_until(10.0, events);
@@ -283,12 +263,12 @@ BOOST_AUTO_TEST_CASE(stops_at_the_first_that_stops_and_remembers_the_others) {
 
 BOOST_AUTO_TEST_CASE(shows_the_observer_the_end_of_a_step_that_an_event_made) {
   const Sine problem;
-  Values state = sine_start();
+  State state = sine_start();
   ExactSine scheme;
   FixedStep control{.step = 0.7};
   Watch watch(recorded(crossing(0.0, Direction::either)));
   std::vector<double> seen;
-  const auto observe = [&](const Values& from, const Values& to, double dt, const ExactSine&) {
+  const auto observe = [&](const State& from, const State& to, double dt, const ExactSine&) {
     BOOST_TEST(from.t + dt == to.t, tolerance(1e-15));
     if (!watch.hits().empty() && watch.hits().back().t == to.t) seen.push_back(to.t);
     return true;
@@ -301,7 +281,7 @@ BOOST_AUTO_TEST_CASE(shows_the_observer_the_end_of_a_step_that_an_event_made) {
 
 BOOST_AUTO_TEST_CASE(does_not_find_what_is_zero_at_the_start) {
   const Falling problem;
-  Motion stone = thrown(0.0, 2.0);
+  State stone = thrown(0.0, 2.0);
   ExactFall scheme;
   FixedStep control{.step = 5.0};
   Watch watch(crossing(0.0, Direction::either));
@@ -316,7 +296,7 @@ BOOST_AUTO_TEST_CASE(does_not_find_what_is_zero_at_the_start) {
 BOOST_AUTO_TEST_CASE(does_not_find_again_what_it_has_stopped_at) {
   const Falling problem;
   for (const double off : {0.0, 1e-15, -1e-15}) {
-    Motion stone = thrown(1.0, 0.0);
+    State stone = thrown(1.0, 0.0);
     ExactFall scheme;
     FixedStep control{.step = 0.3};
     Watch watch(crossing(0.0, Direction::either));
@@ -354,7 +334,7 @@ BOOST_AUTO_TEST_CASE(tells_a_graze_from_a_miss_by_a_step_solved_anew) {
   for (const double blur : {0.0, 5e-5, -5e-5}) {
     for (const double step : {0.7, 1.3}) {
       const auto hits = [&](double height) {
-        Motion stone = thrown(0.0, 2.0);
+        State stone = thrown(0.0, 2.0);
         ExactFall scheme{.blur = blur};
         FixedStep control{.step = step};
         Watch watch(recorded(crossing(height, Direction::either)));
@@ -372,7 +352,8 @@ BOOST_AUTO_TEST_CASE(tells_a_graze_from_a_miss_by_a_step_solved_anew) {
 
 BOOST_AUTO_TEST_CASE(counts_an_event_at_the_end_and_none_beyond_it) {
   BOOST_TEST((sine_until(pi - 1e-12, crossing(0.0, Direction::falling)).outcome.status == Status::reached));
-  const Events clock{.functions = [](double t, In, Out out) { out[0] = t - 1.2; }, .directions = {Direction::either}};
+  const Events clock{.functions = [](const State& at, Out out) { out[0] = at.t - 1.2; },
+                     .directions = {Direction::either}};
   for (const double step : {0.7, 0.35, 0.1}) {
     const Run at_the_end = sine_until(1.2, clock, step);
     BOOST_TEST((at_the_end.outcome.status == Status::stopped));
@@ -384,7 +365,7 @@ BOOST_AUTO_TEST_CASE(counts_an_event_at_the_end_and_none_beyond_it) {
 // Thrown 1 m high, the stone is seen at 1.005 m by a dense output that is 0.1 m too high: solved anew, it is not.
 BOOST_AUTO_TEST_CASE(forgets_an_event_that_a_shorter_step_does_not_show) {
   const Falling problem;
-  Motion stone = thrown(0.0, 2.0);
+  State stone = thrown(0.0, 2.0);
   ExactFall scheme{.blur = 0.1};
   FixedStep control{.step = 2.0};
   Watch watch(crossing(1.005, Direction::either));
@@ -399,7 +380,7 @@ BOOST_AUTO_TEST_CASE(forgets_an_event_that_a_shorter_step_does_not_show) {
 BOOST_AUTO_TEST_CASE(does_not_overstep_a_step_for_an_event_just_behind_it) {
   const Falling problem;
   for (const double end : {1.0 - 1e-9, 5.0}) {
-    Motion stone = thrown(1.0, 0.0);
+    State stone = thrown(1.0, 0.0);
     ExactFall scheme{.blur = -0.1};
     FixedStep control{.step = 1.0 - 1e-9};
     Watch watch(landing());
@@ -411,13 +392,13 @@ BOOST_AUTO_TEST_CASE(does_not_overstep_a_step_for_an_event_just_behind_it) {
 
 BOOST_AUTO_TEST_CASE(says_so_where_no_shorter_step_ends_at_what_it_saw) {
   struct Elusive : ExactSine {
-    void at(const Values& from, double dt, double theta, Values& there) const {
+    void at(const State& from, double dt, double theta, State& there) const {
       there.t = from.t + theta * dt;
       there.y = Eigen::VectorXd::Constant(1, 0.5 - theta);
     }
   } scheme;
   const Sine problem;
-  Values state = sine_start();
+  State state = sine_start();
   FixedStep control{.step = 0.7};
   Watch watch(crossing(0.0, Direction::falling));
   const Outcome outcome = integrate(problem, state, 3.0, scheme, control, watch);
@@ -432,14 +413,14 @@ BOOST_AUTO_TEST_CASE(says_so_where_no_shorter_step_ends_at_what_it_saw) {
 struct NoShortSteps : ExactFall {
   double shortest = 0.2;
   template <class P>
-  bool predict(P& problem, const Motion& from, double dt, Motion& to) {
+  bool predict(P& problem, const State& from, double dt, State& to) {
     return ExactFall::predict(problem, from, dt, to) && dt >= shortest;
   }
 };
 
 BOOST_AUTO_TEST_CASE(ends_with_the_reason_where_the_shorter_step_has_no_value) {
   const Falling problem;
-  Motion stone = thrown(1.0, 0.0);
+  State stone = thrown(1.0, 0.0);
   NoShortSteps scheme;
   FixedStep control{.step = 0.3};
   Watch watch(landing());
@@ -454,7 +435,7 @@ BOOST_AUTO_TEST_CASE(ends_with_the_reason_where_the_shorter_step_has_no_value) {
 // Refused at 0.1 s, the step of 0.8 s from 0.8 s is tried again with what the controller makes of it.
 BOOST_AUTO_TEST_CASE(tries_again_smaller_where_the_controller_refuses_the_shorter_step) {
   const Falling problem;
-  Motion stone = thrown(1.0, 0.0);
+  State stone = thrown(1.0, 0.0);
   NoShortSteps scheme;
   scheme.shortest = 0.04;
   Halving control{.step = 0.97};
@@ -469,11 +450,11 @@ BOOST_AUTO_TEST_CASE(tries_again_smaller_where_the_controller_refuses_the_shorte
 
 BOOST_AUTO_TEST_CASE(leaves_the_controllers_step_alone_and_forgets_after_a_short_one) {
   const Sine problem;
-  Values state = sine_start();
+  State state = sine_start();
   ExactSine scheme;
   FixedStep control{.step = 2.0};
   // 0.1 s into a step of 2 s: too little to extrapolate from. 1.9 s into one: enough.
-  Watch watch({.functions = [](double t, In, Out out) { out << t - 0.6, t - 2.5; },
+  Watch watch({.functions = [](const State& at, Out out) { out << at.t - 0.6, at.t - 2.5; },
                .directions = {Direction::either, Direction::either},
                .actions = {Action::record, Action::record}});
   BOOST_TEST(integrate(problem, state, 0.65, scheme, control, watch).steps == 2);
@@ -488,10 +469,11 @@ BOOST_AUTO_TEST_CASE(leaves_the_controllers_step_alone_and_forgets_after_a_short
 // The ground sends the stone back: its velocity passes zero in a jump, and is zero again at the top of its way.
 BOOST_AUTO_TEST_CASE(takes_a_jump_across_zero_for_no_event) {
   const Bouncing problem;
-  Motion stone = thrown(1.0, 0.0);
+  State stone = thrown(1.0, 0.0);
   ExactFall scheme;
   FixedStep control{.step = 0.3};
-  Watch watch(recorded({.functions = [](double, In y, Out out) { out[0] = y[1]; }, .directions = {Direction::either}}));
+  Watch watch(
+      recorded({.functions = [](const State& at, Out out) { out[0] = at.v[0]; }, .directions = {Direction::either}}));
   const Outcome outcome = integrate(problem, stone, 6.5, scheme, control, watch);
   BOOST_TEST(outcome.impacts == 3);
   meets(watch.hits(), {2.0, 4.0, 6.0});
@@ -500,9 +482,9 @@ BOOST_AUTO_TEST_CASE(takes_a_jump_across_zero_for_no_event) {
 
 BOOST_AUTO_TEST_CASE(is_continued_to_the_same_bits_from_copies) {
   const Sine problem;
-  const Events events = recorded({.functions = [](double, In y, Out out) { out << y[0] - 0.3, y[0] - 1.0; },
+  const Events events = recorded({.functions = [](const State& at, Out out) { out << at.y[0] - 0.3, at.y[0] - 1.0; },
                                   .directions = {Direction::either, Direction::either}});
-  Values state = sine_start();
+  State state = sine_start();
   ExactSine scheme;
   FixedStep control{.step = 0.7};
   Watch watch(events);
@@ -512,7 +494,7 @@ BOOST_AUTO_TEST_CASE(is_continued_to_the_same_bits_from_copies) {
   const std::vector<Hit> whole = sine_until(9.0, events).hits;
   BOOST_TEST(whole.size() == 4U);
   for (int copy = 0; copy < 2; ++copy) {
-    Values its_state = state;
+    State its_state = state;
     ExactSine its_scheme = scheme;
     FixedStep its_control = control;
     Watch its_watch = watch;
@@ -523,7 +505,7 @@ BOOST_AUTO_TEST_CASE(is_continued_to_the_same_bits_from_copies) {
 }
 
 BOOST_AUTO_TEST_CASE(refuses_a_function_that_is_not_finite) {
-  const Events events{.functions = [](double t, In, Out out) { out << 1.0, t > 1.0 ? not_a_number : 1.0; },
+  const Events events{.functions = [](const State& at, Out out) { out << 1.0, at.t > 1.0 ? not_a_number : 1.0; },
                       .directions = {Direction::either, Direction::either}};
   BOOST_CHECK_EXCEPTION((void)sine_until(3.0, events), std::invalid_argument,
                         says("events: function 1 must be finite, got nan at t = "));
@@ -531,7 +513,7 @@ BOOST_AUTO_TEST_CASE(refuses_a_function_that_is_not_finite) {
 
 BOOST_AUTO_TEST_CASE(passes_on_what_a_function_throws) {
   struct Odd {};
-  const Events events{.functions = [](double, In, Out) { throw Odd{}; }, .directions = {Direction::either}};
+  const Events events{.functions = [](const State&, Out) { throw Odd{}; }, .directions = {Direction::either}};
   BOOST_CHECK_THROW((void)sine_until(3.0, events), Odd);
 }
 
@@ -547,11 +529,11 @@ BOOST_AUTO_TEST_SUITE(located_jumps)
 
 BOOST_AUTO_TEST_CASE(end_steps_and_make_the_scheme_forget) {
   const Bouncing problem = losing();
-  Motion stone = thrown(1.0, 0.0);
+  State stone = thrown(1.0, 0.0);
   ExactFall scheme;
   FixedStep control{.step = 0.3};
   std::vector<double> impacts;
-  const auto observe = [&](const Motion&, const Motion& to, double, const ExactFall&) {
+  const auto observe = [&](const State&, const State& to, double, const ExactFall&) {
     if (std::abs(to.r[0]) < 1e-13) impacts.push_back(to.t);
     return true;
   };
@@ -570,7 +552,7 @@ BOOST_AUTO_TEST_CASE(end_steps_and_make_the_scheme_forget) {
 
 BOOST_AUTO_TEST_CASE(that_accumulate_end_the_run_with_the_time) {
   const Bouncing problem = losing();
-  Motion stone = thrown(1.0, 0.0);
+  State stone = thrown(1.0, 0.0);
   ExactFall scheme;
   FixedStep control{.step = 0.3};
   const Outcome outcome = integrate(problem, stone, 10.0, scheme, control);
@@ -585,7 +567,7 @@ BOOST_AUTO_TEST_CASE(that_accumulate_end_the_run_with_the_time) {
 
 BOOST_AUTO_TEST_CASE(that_accumulate_are_counted_as_a_watch_says) {
   const Bouncing problem = losing();
-  Motion stone = thrown(1.0, 0.0);
+  State stone = thrown(1.0, 0.0);
   ExactFall scheme;
   FixedStep control{.step = 0.3};
   Watch watch(Events{}, {.most_at_once = 5});

@@ -15,17 +15,18 @@ struct ExactFall {
   int accepted = 0, forgotten = 0;
   Eigen::VectorXd a{};
 
-  template <class P>
-  bool predict(P& problem, const particulate::schemes::State& from, double dt, particulate::schemes::State& to) {
-    a.resize(from.r.size());
-    if (!problem.acceleration(from.t, from.r, a)) return false;
+  static constexpr bool advances(const particulate::schemes::Traits&) { return true; }
+  bool predict(const particulate::schemes::Problem& problem, const particulate::schemes::State& from, double dt,
+               particulate::schemes::State& to) {
+    particulate::schemes::Rates rates;
+    if (!problem.rates(from, rates)) return false;
+    a = rates.a;
     at(from, dt, 1.0, to);
     return true;
   }
   void accept(double) { ++accepted; }
   void forget() { ++forgotten; }
-  void at(const particulate::schemes::State& from, double dt, double theta,
-          particulate::schemes::State& there) const {
+  void at(const particulate::schemes::State& from, double dt, double theta, particulate::schemes::State& there) const {
     const double t = theta * dt;
     there.t = from.t + t;
     there.r = from.r + t * from.v + (0.5 * t * t) * a;
@@ -39,17 +40,17 @@ struct ExactSine {
   static constexpr int order = 8;
   int forgotten = 0;
 
-  template <class P>
-  bool predict(P& problem, const particulate::schemes::State& from, double dt, particulate::schemes::State& to) {
-    Eigen::VectorXd dy(1);
-    if (!problem.rate(from.t + dt, from.y, dy)) return false;
+  static constexpr bool advances(const particulate::schemes::Traits&) { return true; }
+  bool predict(const particulate::schemes::Problem& problem, const particulate::schemes::State& from, double dt,
+               particulate::schemes::State& to) {
+    particulate::schemes::Rates rates;
+    if (!problem.rates(from.t + dt, from.r, from.v, from.y, rates)) return false;
     at(from, dt, 1.0, to);
     return true;
   }
   void accept(double) {}
   void forget() { ++forgotten; }
-  void at(const particulate::schemes::State& from, double dt, double theta,
-          particulate::schemes::State& there) const {
+  void at(const particulate::schemes::State& from, double dt, double theta, particulate::schemes::State& there) const {
     there.t = from.t + theta * dt;
     there.y = Eigen::VectorXd::Constant(1, std::sin(there.t));
   }

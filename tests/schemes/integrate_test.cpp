@@ -7,7 +7,9 @@
 #include <stdexcept>
 #include <vector>
 
+#include <particulate/schemes/collocation.hpp>
 #include <particulate/schemes/fixed_step.hpp>
+#include <particulate/schemes/fixed_sweeps.hpp>
 #include <particulate/schemes/phi_control.hpp>
 #include <particulate/schemes/phi_family.hpp>
 #include <particulate/schemes/runge_kutta.hpp>
@@ -18,28 +20,7 @@
 namespace tests::integrate_test {
 
 using boost::test_tools::tolerance;
-using particulate::schemes::Attempt;
-using particulate::schemes::attempt;
-using particulate::schemes::BackwardEuler;
-using particulate::schemes::Decision;
-using particulate::schemes::Failure;
-using particulate::schemes::FixedStep;
-using particulate::schemes::In;
-using particulate::schemes::integrate;
-using particulate::schemes::is_finite;
-using particulate::schemes::Iteration;
-using particulate::schemes::Jump;
-using particulate::schemes::State;
-using particulate::schemes::Out;
-using particulate::schemes::Outcome;
-using particulate::schemes::PhiControl;
-using particulate::schemes::rounding_of_time;
-using particulate::schemes::RungeKutta4;
-using particulate::schemes::Status;
-using particulate::schemes::step_towards_end;
-using particulate::schemes::validate_run;
-using particulate::schemes::State;
-using particulate::schemes::VelocityVerlet;
+using namespace particulate::schemes;
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -80,7 +61,7 @@ struct Bouncing {
     a.setConstant(-2.0);
     return true;
   }
-  Jump jump(Motion& at, double) const {
+  Jump jump(State& at, double) const {
     if (!(at.r[0] <= 0.0 && at.v[0] < 0.0)) return {};
     at.v = -at.v;
     return {.impacts = 1, .energy_change = 0.0, .unsettled = unsettled};
@@ -128,18 +109,17 @@ void validate(const Gullible&) {}
 struct Sweeping {
   static constexpr int order = 1;
   int K = -1;
-  template <class P>
-  bool predict(P& problem, const Values& from, double dt, Values& to) {
-    Eigen::VectorXd dy(from.y.size());
+  static constexpr bool advances(const Traits& of) { return of.values; }
+  bool predict(const Problem& problem, const State& from, double dt, State& to) {
+    Rates rates;
     K = -1;
-    if (!problem.rate(from.t + dt, from.y, dy)) return false;
-    to = {from.t + dt, from.y + dt * dy};
+    if (!problem.rates(from.t + dt, from.r, from.v, from.y, rates)) return false;
+    to = {.t = from.t + dt, .y = from.y + dt * rates.dy};
     return true;
   }
-  template <class P>
-  Iteration sweep(P& problem, const Values& from, double dt, Values& to) {
-    Eigen::VectorXd dy(from.y.size());
-    const bool evaluated = problem.rate(from.t + dt, to.y, dy);
+  Iteration sweep(const Problem& problem, const State& from, double, State& to) {
+    Rates rates;
+    const bool evaluated = problem.rates(to, rates);
     ++K;
     return {.rate = from.t == 0.0 ? 0.5 : 0.25, .K = K, .evaluated = evaluated};
   }
@@ -147,59 +127,62 @@ struct Sweeping {
   void forget() {}
 };
 
-Motion displaced() { return {0.0, Eigen::VectorXd::Ones(1), Eigen::VectorXd::Zero(1)}; }
-Values one(double t = 0.0) { return {t, Eigen::VectorXd::Ones(1)}; }
+State displaced() { return {.t = 0.0, .r = Eigen::VectorXd::Ones(1), .v = Eigen::VectorXd::Zero(1)}; }
+State one(double t = 0.0) { return {.t = t, .y = Eigen::VectorXd::Ones(1)}; }
+
+constexpr Traits motions{.motion = true}, values{.values = true};
 
 BOOST_AUTO_TEST_SUITE(validate_run_)
 
 BOOST_AUTO_TEST_CASE(accepts_a_run_of_no_length_and_a_state_of_no_length) {
-  BOOST_CHECK_NO_THROW(validate_run(displaced(), 0.0));
-  BOOST_CHECK_NO_THROW(validate_run(State{}, 1.0));
-  BOOST_CHECK_NO_THROW(validate_run(Values{}, 1.0));
+  BOOST_CHECK_NO_THROW(validate_run(motions, displaced(), 0.0));
+  BOOST_CHECK_NO_THROW(validate_run(motions, State{}, 1.0));
+  BOOST_CHECK_NO_THROW(validate_run(values, State{}, 1.0));
 }
 
 BOOST_AUTO_TEST_CASE(refuses_times_that_cannot_be_meant) {
   for (const double bad : {not_a_number, infinity, -infinity}) {
-    Motion motion = displaced();
+    State motion = displaced();
     motion.t = bad;
-    BOOST_CHECK_EXCEPTION(validate_run(motion, 1.0), std::invalid_argument,
+    BOOST_CHECK_EXCEPTION(validate_run(motions, motion, 1.0), std::invalid_argument,
                           says("the start time must be finite, got "));
-    BOOST_CHECK_EXCEPTION(validate_run(one(bad), 1.0), std::invalid_argument, says("the start time must be finite"));
-    BOOST_CHECK_EXCEPTION(validate_run(one(), bad), std::invalid_argument, says("the end time must be finite"));
+    BOOST_CHECK_EXCEPTION(validate_run(values, one(bad), 1.0), std::invalid_argument,
+                          says("the start time must be finite"));
+    BOOST_CHECK_EXCEPTION(validate_run(values, one(), bad), std::invalid_argument, says("the end time must be finite"));
   }
-  BOOST_CHECK_EXCEPTION(validate_run(one(2.0), 1.5), std::invalid_argument,
+  BOOST_CHECK_EXCEPTION(validate_run(values, one(2.0), 1.5), std::invalid_argument,
                         says("not before the start at 2 s, got 1.5 s"));
 }
 
 BOOST_AUTO_TEST_CASE(refuses_positions_and_velocities_of_different_lengths) {
-  Motion motion = displaced();
+  State motion = displaced();
   motion.v.resize(3);
-  BOOST_CHECK_EXCEPTION(validate_run(motion, 1.0), std::invalid_argument, says("must have one length, got 1 and 3"));
+  BOOST_CHECK_EXCEPTION(validate_run(motions, motion, 1.0), std::invalid_argument,
+                        says("must have one length, got 1 and 3"));
 }
 
 BOOST_AUTO_TEST_CASE(names_the_entry_that_is_not_finite) {
   const Eigen::Vector3d bad(0.0, 1.0, not_a_number), good = Eigen::Vector3d::Zero();
-  BOOST_CHECK_EXCEPTION(validate_run(State{0.0, bad, good}, 1.0), std::invalid_argument,
+  BOOST_CHECK_EXCEPTION(validate_run(motions, {.r = bad, .v = good}, 1.0), std::invalid_argument,
                         says("positions must start finite, got nan in entry 2"));
-  BOOST_CHECK_EXCEPTION(validate_run(State{0.0, good, bad}, 1.0), std::invalid_argument,
+  BOOST_CHECK_EXCEPTION(validate_run(motions, {.r = good, .v = bad}, 1.0), std::invalid_argument,
                         says("velocities must start finite, got nan in entry 2"));
-  BOOST_CHECK_EXCEPTION(validate_run(Values{0.0, bad}, 1.0), std::invalid_argument,
+  BOOST_CHECK_EXCEPTION(validate_run(values, {.y = bad}, 1.0), std::invalid_argument,
                         says("values must start finite, got nan in entry 2"));
 }
 
-BOOST_AUTO_TEST_SUITE_END()
-
-BOOST_AUTO_TEST_SUITE(is_finite_)
-
-BOOST_AUTO_TEST_CASE(looks_at_every_number) {
-  const Eigen::Vector2d good(1.0, -1e308), bad(0.0, -infinity);
-  BOOST_TEST(is_finite(State{0.0, good, good}));
-  BOOST_TEST(!is_finite(State{0.0, bad, good}));
-  BOOST_TEST(!is_finite(State{0.0, good, bad}));
-  BOOST_TEST(!is_finite(State{not_a_number, good, good}));
-  BOOST_TEST(is_finite(Values{0.0, good}));
-  BOOST_TEST(!is_finite(Values{0.0, bad}));
-  BOOST_TEST(!is_finite(Values{infinity, good}));
+// What the problem would leave where it stands, without a word.
+BOOST_AUTO_TEST_CASE(refuses_a_part_of_the_state_that_the_problem_does_not_have) {
+  State both = displaced();
+  both.y = Eigen::Vector2d(1.0, 2.0);
+  BOOST_CHECK_EXCEPTION(validate_run(motions, both, 1.0), std::invalid_argument,
+                        says("the problem has no rate for values, so the state must have none, got 2: give it rates(t, "
+                             "r, v, y, a, dy), or the constant values_by_jumps"));
+  BOOST_CHECK_EXCEPTION(validate_run(values, both, 1.0), std::invalid_argument,
+                        says("a rate of values alone, so the state must have no places, got 1: they go into y"));
+  BOOST_CHECK_NO_THROW(validate_run({.motion = true, .values = true}, both, 1.0));
+  BOOST_CHECK_NO_THROW(validate_run({.motion = true, .carries = true}, both, 1.0));
+  BOOST_CHECK_NO_THROW(validate_run({.staggered = true}, both, 1.0));
 }
 
 BOOST_AUTO_TEST_SUITE_END()
@@ -209,7 +192,7 @@ BOOST_AUTO_TEST_SUITE(controller_)
 BOOST_AUTO_TEST_CASE(must_not_accept_a_step_without_a_value) {
   RungeKutta4 scheme;
   const Limited problem{1.0};
-  Values state = one();
+  State state = one();
   Gullible control;
   BOOST_CHECK_THROW((void)integrate(problem, state, 10.0, scheme, control), std::logic_error);
 }
@@ -218,38 +201,56 @@ BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE(attempt_)
 
+// Keeps the attempts that it is shown, and makes two contractions of each where there are sweeps.
+struct Keeping {
+  int K = 0;
+  std::vector<Attempt> made = {};
+  double dt() const { return 0.5; }
+  bool goes_on(const Iteration& it) const { return it.K < K; }
+  Decision judge(const Attempt& attempt) {
+    made.push_back(attempt);
+    return attempt.iteration.evaluated ? Decision{.accepted = true} : Decision{.impossible = "no value"};
+  }
+};
+void validate(const Keeping&) {}
+
 BOOST_AUTO_TEST_CASE(makes_no_sweep_with_an_explicit_scheme) {
   RungeKutta4 scheme;
   const Limited problem{1.0};
-  Values to;
-  Outcome booked;
-  const Attempt made = attempt(scheme, problem, one(), 0.5, to, FixedStep{.step = 0.5}, booked);
+  State state = one();
+  Keeping control;
+  BOOST_TEST(integrate(problem, state, 0.5, scheme, control).sweeps == 0);
+  BOOST_TEST_REQUIRE(control.made.size() == 1U);
+  const Attempt& made = control.made[0];
   BOOST_TEST(made.dt == 0.5);
   BOOST_TEST(made.fields.empty());
-  const Iteration& it = made.iteration;
-  BOOST_TEST(it.evaluated);
-  BOOST_TEST(it.K == -1);
-  BOOST_TEST(to.y[0] == 1.5);
+  BOOST_TEST(made.iteration.evaluated);
+  BOOST_TEST(made.iteration.K == -1);
+  BOOST_TEST(state.y[0] == 1.5);
 }
 
 BOOST_AUTO_TEST_CASE(sweeps_once_and_then_for_as_long_as_the_controller_asks) {
-  Sweeping scheme;
   const Limited problem{1.0};
-  Values to;
-  Outcome booked;
-  BOOST_TEST(attempt(scheme, problem, one(), 0.5, to, FixedStep{.step = 0.5}, booked).iteration.K == 0);
-  BOOST_TEST(attempt(scheme, problem, one(), 0.5, to, Halving{.step = 0.5, .smallest = 0.1}, booked).iteration.K == 2);
-  BOOST_TEST(booked.sweeps == 4);
+  long sweeps = 0;
+  for (const int K : {0, 2}) {
+    Sweeping scheme;
+    State state = one();
+    Keeping control{.K = K};
+    sweeps += integrate(problem, state, 0.5, scheme, control).sweeps;
+    BOOST_TEST_REQUIRE(control.made.size() == 1U);
+    BOOST_TEST(control.made[0].iteration.K == K);
+  }
+  BOOST_TEST(sweeps == 4);
 }
 
 BOOST_AUTO_TEST_CASE(does_not_take_an_infinite_state_for_a_value) {
   RungeKutta4 scheme;
   const Explosion problem;
-  Values to;
-  Outcome booked;
-  BOOST_TEST(!attempt(scheme, problem, Values{0.0, Eigen::VectorXd::Constant(1, 1e200)}, 0.5, to,
-                      FixedStep{.step = 0.5}, booked)
-                  .iteration.evaluated);
+  State state{.y = Eigen::VectorXd::Constant(1, 1e200)};
+  Keeping control;
+  BOOST_TEST(integrate(problem, state, 0.5, scheme, control).reason == "no value");
+  BOOST_TEST_REQUIRE(control.made.size() == 1U);
+  BOOST_TEST(!control.made[0].iteration.evaluated);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
@@ -291,7 +292,11 @@ BOOST_AUTO_TEST_SUITE_END()
 BOOST_AUTO_TEST_SUITE(too_small_)
 
 BOOST_AUTO_TEST_CASE(names_the_time_the_step_and_what_to_do) {
-  const std::string reason = particulate::schemes::too_small(1e16, 0.5);
+  const Limited problem{infinity};
+  State state = one(1e16);
+  RungeKutta4 scheme;
+  FixedStep control{.step = 0.5};
+  const std::string reason = integrate(problem, state, 2e16, scheme, control).reason;
   BOOST_TEST(reason.find("t = 1e+16 s and Dt = 0.5 s") != std::string::npos);
   BOOST_TEST(reason.find("choose a larger step") != std::string::npos);
 }
@@ -301,7 +306,7 @@ BOOST_AUTO_TEST_SUITE_END()
 BOOST_AUTO_TEST_SUITE(integrate_)
 
 BOOST_AUTO_TEST_CASE(counts_what_it_does_and_lands_on_the_end) {
-  Motion state = displaced();
+  State state = displaced();
   const Spring problem;
   RungeKutta4 scheme;
   FixedStep control{.step = 0.3};
@@ -319,7 +324,7 @@ BOOST_AUTO_TEST_CASE(counts_what_it_does_and_lands_on_the_end) {
 
 // -1 + (0.1 + 1) is 0.1 + 8e-17 in doubles.
 BOOST_AUTO_TEST_CASE(lands_on_the_end_where_the_sum_of_its_steps_does_not) {
-  Values state = one(-1.0);
+  State state = one(-1.0);
   const Limited problem{infinity};
   RungeKutta4 scheme;
   FixedStep control{.step = 2.0};
@@ -334,7 +339,7 @@ BOOST_AUTO_TEST_CASE(makes_n_steps_of_the_nth_part) {
   for (const double start : {0.0, 100.0}) {
     for (const double length : {1.0, 0.3, std::numbers::pi, 7.1}) {
       for (const int n : {1, 3, 7, 10, 49, 1000, 3001, 9973, 30011}) {
-        Values state = one(start);
+        State state = one(start);
         Sweeping scheme;
         FixedStep control{.step = length / n};
         const Outcome outcome = integrate(problem, state, start + length, scheme, control);
@@ -346,13 +351,13 @@ BOOST_AUTO_TEST_CASE(makes_n_steps_of_the_nth_part) {
 }
 
 BOOST_AUTO_TEST_CASE(shows_the_observer_consecutive_states) {
-  Motion state = displaced();
+  State state = displaced();
   const Spring problem;
   VelocityVerlet scheme;
   FixedStep control{.step = 0.3};
-  Motion last = state;
+  State last = state;
   std::vector<double> steps;
-  const auto observe = [&](const Motion& from, const Motion& to, double dt, const VelocityVerlet&) {
+  const auto observe = [&](const State& from, const State& to, double dt, const VelocityVerlet&) {
     BOOST_TEST(from.t == last.t);
     BOOST_TEST(from.r[0] == last.r[0]);
     BOOST_TEST(to.t == from.t + dt, tolerance(1e-15));
@@ -369,11 +374,11 @@ BOOST_AUTO_TEST_CASE(shows_the_observer_consecutive_states) {
 }
 
 BOOST_AUTO_TEST_CASE(stops_where_the_observer_says_so) {
-  Motion state = displaced();
+  State state = displaced();
   const Spring problem;
   VelocityVerlet scheme;
   FixedStep control{.step = 0.25};
-  const auto observe = [](const Motion&, const Motion& to, double, const VelocityVerlet&) { return to.t < 0.5; };
+  const auto observe = [](const State&, const State& to, double, const VelocityVerlet&) { return to.t < 0.5; };
   const Outcome outcome = integrate(problem, state, 2.0, scheme, control, observe);
   BOOST_TEST((outcome.status == Status::stopped));
   BOOST_TEST(outcome.reason == "the observer asked for it");
@@ -383,7 +388,7 @@ BOOST_AUTO_TEST_CASE(stops_where_the_observer_says_so) {
 }
 
 BOOST_AUTO_TEST_CASE(fails_where_the_problem_has_no_value_and_leaves_the_last_state) {
-  Values state = one();
+  State state = one();
   const Limited problem{0.6};
   RungeKutta4 scheme;
   FixedStep control{.step = 0.25};
@@ -397,7 +402,7 @@ BOOST_AUTO_TEST_CASE(fails_where_the_problem_has_no_value_and_leaves_the_last_st
 }
 
 BOOST_AUTO_TEST_CASE(refuses_a_state_that_overflows) {
-  Values state = one();
+  State state = one();
   const Explosion problem;
   RungeKutta4 scheme;
   FixedStep control{.step = 0.5};
@@ -410,7 +415,7 @@ BOOST_AUTO_TEST_CASE(refuses_a_state_that_overflows) {
 }
 
 BOOST_AUTO_TEST_CASE(tries_again_with_what_the_controller_makes_of_a_refusal) {
-  Values state = one();
+  State state = one();
   const Limited problem{0.8};
   RungeKutta4 scheme;
   Halving control{.step = 0.5, .smallest = 0.1};
@@ -445,7 +450,7 @@ BOOST_AUTO_TEST_CASE(says_for_a_program_too_why_it_failed) {
 }
 
 BOOST_AUTO_TEST_CASE(keeps_the_reason_of_the_last_refusal_until_no_step_is_left) {
-  Motion state = displaced();
+  State state = displaced();
   const Hole problem;
   BackwardEuler scheme;
   PhiControl control{.step = 0.5, .limit = 0.5};
@@ -458,7 +463,7 @@ BOOST_AUTO_TEST_CASE(keeps_the_reason_of_the_last_refusal_until_no_step_is_left)
 }
 
 BOOST_AUTO_TEST_CASE(counts_sweeps_and_the_largest_contraction) {
-  Values state = one();
+  State state = one();
   const Limited problem{1.0};
   Sweeping scheme;
   Halving control{.step = 0.5, .smallest = 0.1};
@@ -470,7 +475,7 @@ BOOST_AUTO_TEST_CASE(counts_sweeps_and_the_largest_contraction) {
 }
 
 BOOST_AUTO_TEST_CASE(does_nothing_over_no_time) {
-  Values state = one(3.0);
+  State state = one(3.0);
   const Limited problem{infinity};
   RungeKutta4 scheme;
   FixedStep control{.step = 0.5};
@@ -482,7 +487,7 @@ BOOST_AUTO_TEST_CASE(does_nothing_over_no_time) {
 }
 
 BOOST_AUTO_TEST_CASE(fails_where_a_step_does_not_change_the_time) {
-  Values state = one(1e16);
+  State state = one(1e16);
   const Limited problem{infinity};
   RungeKutta4 scheme;
   FixedStep control{.step = 0.5};
@@ -497,7 +502,7 @@ BOOST_AUTO_TEST_CASE(refuses_what_cannot_be_meant) {
   const Limited problem{infinity};
   RungeKutta4 scheme;
   FixedStep control{.step = 0.5}, none;
-  Values state = one(), bad{0.0, Eigen::VectorXd::Constant(1, not_a_number)};
+  State state = one(), bad{.y = Eigen::VectorXd::Constant(1, not_a_number)};
   BOOST_CHECK_EXCEPTION((void)integrate(problem, state, -1.0, scheme, control), std::invalid_argument,
                         says("not before the start at 0 s, got -1 s"));
   BOOST_CHECK_EXCEPTION((void)integrate(problem, bad, 1.0, scheme, control), std::invalid_argument,
@@ -515,7 +520,7 @@ BOOST_AUTO_TEST_CASE(passes_a_callers_mistake_on_with_the_last_state) {
       return true;
     }
   } problem;
-  Values state = one();
+  State state = one();
   RungeKutta4 scheme;
   FixedStep control{.step = 0.25};
   BOOST_CHECK_EXCEPTION((void)integrate(problem, state, 1.0, scheme, control), std::invalid_argument,
@@ -525,12 +530,12 @@ BOOST_AUTO_TEST_CASE(passes_a_callers_mistake_on_with_the_last_state) {
 
 // From 1 m at rest with g = 2: r = 1 - t^2, so the floor is met at t = 1 exactly, with v = -2, and again 2 s later.
 BOOST_AUTO_TEST_CASE(lets_the_state_jump_after_a_step_and_tells_the_scheme) {
-  Motion state = displaced();
+  State state = displaced();
   const Bouncing problem{};
   CountsForgetting scheme;
   FixedStep control{.step = 0.25};
   std::vector<double> before;
-  const auto observe = [&](const Motion&, const Motion& to, double, const CountsForgetting&) {
+  const auto observe = [&](const State&, const State& to, double, const CountsForgetting&) {
     before.push_back(to.v[0]);
     return true;
   };
@@ -554,7 +559,7 @@ BOOST_AUTO_TEST_CASE(sums_the_energy_and_the_evaluations_of_jumps_and_keeps_the_
       a.setConstant(-2.0);
       return true;
     }
-    Jump jump(Motion& at, double) const {
+    Jump jump(State& at, double) const {
       const double depth = 0.75 - at.r[0];
       if (!(depth >= 0.0 && at.v[0] < 0.0)) return {.overlap = std::max(depth, 0.0), .unsettled = {}};
       const double before = at.v[0];
@@ -566,7 +571,7 @@ BOOST_AUTO_TEST_CASE(sums_the_energy_and_the_evaluations_of_jumps_and_keeps_the_
               .unsettled = {}};
     }
   } problem;
-  Motion state = displaced();
+  State state = displaced();
   VelocityVerlet scheme;
   FixedStep control{.step = 0.25};
   const Outcome outcome = integrate(problem, state, 1.5, scheme, control);
@@ -579,7 +584,7 @@ BOOST_AUTO_TEST_CASE(sums_the_energy_and_the_evaluations_of_jumps_and_keeps_the_
 }
 
 BOOST_AUTO_TEST_CASE(reports_nothing_of_jumps_without_any) {
-  Motion state = displaced();
+  State state = displaced();
   const Spring problem;
   VelocityVerlet scheme;
   FixedStep control{.step = 0.25};
@@ -590,7 +595,7 @@ BOOST_AUTO_TEST_CASE(reports_nothing_of_jumps_without_any) {
 }
 
 BOOST_AUTO_TEST_CASE(fails_where_a_jump_is_not_settled_and_leaves_the_state_before_the_step) {
-  Motion state = displaced();
+  State state = displaced();
   const Bouncing problem{"the stone sticks"};
   VelocityVerlet scheme;
   FixedStep control{.step = 0.25};
@@ -600,6 +605,118 @@ BOOST_AUTO_TEST_CASE(fails_where_a_jump_is_not_settled_and_leaves_the_state_befo
   BOOST_TEST(outcome.t == 0.75);
   BOOST_TEST(state.t == 0.75);
   BOOST_TEST(state.r[0] == 1.0 - 0.5625);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(step_limits_)
+
+// A spring with two time scales of its own, as it says: the second becomes shorter from t = 1 on.
+struct Scaled : Spring {
+  double spring, drag;
+  explicit Scaled(double of_spring = 0.1, double of_drag = 1.0) : spring(of_spring), drag(of_drag) {}
+  std::vector<TimeScale> step_limits(const State& at) const {
+    return {{.name = "the spring", .kind = TimeScale::Kind::oscillates, .seconds = spring},
+            {.name = "drag", .kind = TimeScale::Kind::decays, .seconds = at.t < 1.0 ? drag : 0.1 * drag}};
+  }
+};
+
+BOOST_AUTO_TEST_CASE(refuse_a_fixed_step_beyond_them_and_say_which_would_do) {
+  const Scaled problem;
+  VelocityVerlet scheme;
+  FixedStep control{.step = 0.25};
+  State state = displaced();
+  const Outcome outcome = integrate(problem, state, 1.0, scheme, control);
+  BOOST_TEST((outcome.status == Status::failed));
+  BOOST_TEST((outcome.failure == Failure::beyond_limit));
+  BOOST_TEST(outcome.workable_step == 0.2);
+  BOOST_TEST(outcome.reason.find("a step must span at most 2 of the time scale of the spring, which is 0.1 s, but the "
+                                 "fixed step is 0.25 s: take at most 0.2 s") != std::string::npos);
+  BOOST_TEST(outcome.ruled.empty());
+  BOOST_TEST((outcome.steps == 0 && outcome.evaluations == 0 && state.t == 0.0));
+  control.step = outcome.workable_step;
+  BOOST_TEST((integrate(problem, state, 1.0, scheme, control).status == Status::reached));
+}
+
+BOOST_AUTO_TEST_CASE(cut_an_adaptive_step_and_name_what_ruled) {
+  const Scaled problem;
+  RungeKutta4 scheme;
+  Halving control{.step = 0.5, .smallest = 0.1};
+  State state = displaced();
+  std::vector<double> steps;
+  const auto observe = [&](const State&, const State&, double dt, const RungeKutta4&) {
+    steps.push_back(dt);
+    return true;
+  };
+  const Outcome until_1 = integrate(problem, state, 1.0, scheme, control, observe);
+  BOOST_TEST((until_1.status == Status::reached));
+  BOOST_TEST(until_1.ruled == "the spring");
+  BOOST_TEST(steps[0] == 0.28284271247461903, tolerance(1e-15));
+  BOOST_TEST(until_1.rejections == 0);
+  steps.clear();
+  const Outcome until_2 = integrate(problem, state, 2.0, scheme, control, observe);
+  BOOST_TEST(until_2.ruled == "drag");
+  BOOST_TEST(steps[0] == 0.2785293563405282, tolerance(1e-15));
+  BOOST_TEST(control.step == 0.5);
+}
+
+BOOST_AUTO_TEST_CASE(leave_a_step_within_them_alone) {
+  const Scaled wide(10.0, 100.0);
+  const Spring none;
+  const auto run = [](const auto& problem) {
+    VelocityVerlet scheme;
+    Halving control{.step = 0.3, .smallest = 0.1};
+    State state = displaced();
+    const Outcome outcome = integrate(problem, state, 2.0, scheme, control);
+    BOOST_TEST(outcome.ruled.empty());
+    return std::pair(outcome.steps, state.r[0]);
+  };
+  BOOST_TEST((run(wide) == run(none)));
+}
+
+// Sweeps that converge bound the step by their contraction, one sweep by its own stability.
+BOOST_AUTO_TEST_CASE(know_how_many_sweeps_the_control_makes) {
+  const Scaled problem(1.0, 100.0);
+  BackwardEuler scheme;
+  State state = displaced();
+  FixedSweeps once{.step = 1.1, .sweeps = 1}, twice{.step = 1.1, .sweeps = 2};
+  BOOST_TEST((integrate(problem, state, 2.2, scheme, once).status == Status::reached));
+  state = displaced();
+  const Outcome two = integrate(problem, state, 2.2, scheme, twice);
+  BOOST_TEST((two.failure == Failure::beyond_limit));
+  BOOST_TEST(two.workable_step == 1.0);
+  FixedStep converged{.step = 1.1};
+  BOOST_TEST((integrate(problem, state, 2.2, scheme, converged).failure == Failure::beyond_limit));
+}
+
+BOOST_AUTO_TEST_CASE(that_no_step_can_meet_fail_the_adaptive_one_too) {
+  const Scaled problem;
+  PhiFamily<> scheme(0.25);
+  PhiControl control{.step = 0.1, .limit = 0.1};
+  State state = displaced();
+  const Outcome outcome = integrate(problem, state, 1.0, scheme, control);
+  BOOST_TEST((outcome.failure == Failure::beyond_limit));
+  BOOST_TEST(outcome.workable_step == 0.0);
+}
+
+// A scheme that says nothing of its stability is not held to them.
+BOOST_AUTO_TEST_CASE(do_not_bind_a_scheme_that_has_no_such_limit) {
+  const Scaled problem;
+  Collocation<Gauss<3>> scheme;
+  FixedStep control{.step = 0.5};
+  State state = displaced();
+  BOOST_TEST((integrate(problem, state, 2.0, scheme, control).status == Status::reached));
+}
+
+BOOST_AUTO_TEST_CASE(must_be_positive) {
+  for (const double bad : {0.0, -1.0, not_a_number}) {
+    const Scaled problem(0.1, bad);
+    VelocityVerlet scheme;
+    FixedStep control{.step = 0.1};
+    State state = displaced();
+    BOOST_CHECK_EXCEPTION((void)integrate(problem, state, 1.0, scheme, control), std::invalid_argument,
+                          says("problem: the time scale of drag must be positive, got "));
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

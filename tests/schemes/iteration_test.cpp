@@ -8,15 +8,7 @@
 namespace tests::iteration_test {
 
 using boost::test_tools::tolerance;
-using particulate::schemes::at_rounding;
-using particulate::schemes::Attempt;
-using particulate::schemes::Decision;
-using particulate::schemes::Failure;
-using particulate::schemes::Iteration;
-using particulate::schemes::IterationMeasure;
-using particulate::schemes::phi_K;
-using particulate::schemes::shows_contraction;
-using particulate::schemes::unmet;
+using namespace particulate::schemes;
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -123,6 +115,107 @@ BOOST_AUTO_TEST_CASE(remembers_after_an_overflow_that_the_sweeps_were_diverging)
 }
 
 BOOST_AUTO_TEST_CASE(books_that_there_is_no_value) { BOOST_TEST(!three_sweeps().no_value().evaluated); }
+
+BOOST_AUTO_TEST_SUITE_END()
+
+// A body and three values in two ranges; the second range is content with a hundredth of the tolerance.
+struct Parted {
+  static constexpr bool ignores_velocities = true;
+  bool rates(double, In, In, In, Out, Out) const { return true; }
+  std::vector<Range> ranges() const {
+    return {{.name = "heat", .first = 0, .size = 1}, {.name = "charge", .first = 1, .size = 2, .TOL = 0.01}};
+  }
+};
+
+BOOST_AUTO_TEST_SUITE(PartMeasures_)
+
+// Motion moves by 4 and changes by 1; heat from 1 by 2 and by 2; charge from (10, -20) by 100, then by 3 of that.
+BOOST_AUTO_TEST_CASE(keep_every_part_in_its_own_unit_and_know_the_worst) {
+  const Parted problem;
+  PartMeasures parts;
+  parts.begin(problem, {.r = Eigen::VectorXd::Ones(1), .v = Eigen::VectorXd::Ones(1), .y = Eigen::VectorXd::Ones(3)},
+              2);
+  parts.motion().normalize(4.0, 12.0);
+  parts.motion().record(1.0);
+  const Eigen::VectorXd start = Eigen::Vector3d(1.0, 10.0, -20.0), moved = Eigen::Vector3d(3.0, 60.0, -70.0);
+  parts.record_values(problem, start, start, moved);
+  const Iteration first = parts.worst();
+  BOOST_TEST(first.field == "charge");
+  BOOST_TEST(first.w_0 == 100.0);
+  parts.motion().record(0.5);
+  parts.record_values(problem, start, moved, Eigen::Vector3d(3.5, 61.0, -72.0));
+  BOOST_TEST(parts.worst().field == "charge");
+  BOOST_TEST_REQUIRE(parts.iterations().size() == 3U);
+  const Iteration &motion = parts.iterations()[0], &heat = parts.iterations()[1], &charge = parts.iterations()[2];
+  BOOST_TEST((motion.field == "motion" && motion.p == 2 && motion.K == 1));
+  BOOST_TEST((heat.field == "heat" && heat.p == 1 && heat.K == 1));
+  BOOST_TEST((motion.w_0 == 0.25 && motion.w_K == 0.125));
+  BOOST_TEST((heat.w_0 == 1.0 && heat.w_K == 0.25));
+  BOOST_TEST(charge.w_K == 0.03 / 0.01, tolerance(1e-15));
+  BOOST_TEST(heat.rounding == epsilon * 3.0 / 2.0);
+  BOOST_TEST(charge.rounding == epsilon * 130.0 / 100.0 / 0.01, tolerance(1e-15));
+  BOOST_TEST(heat.change == 0.5);
+  BOOST_TEST(charge.change == 3.0);
+}
+
+// Of two combinations of rates the larger change counts, in each range for itself.
+BOOST_AUTO_TEST_CASE(take_the_larger_of_two_changes_of_a_range) {
+  const Parted problem;
+  PartMeasures parts;
+  parts.begin(problem, {.r = Eigen::VectorXd::Ones(1), .v = Eigen::VectorXd::Ones(1), .y = Eigen::VectorXd::Ones(3)},
+              2);
+  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(3);
+  parts.motion().normalize(1.0, 1.0);
+  parts.motion().record(0.0);
+  parts.record_values(problem, zero, zero, Eigen::Vector3d(2.0, 1.0, 0.0), zero, Eigen::Vector3d(1.0, 0.0, 5.0));
+  parts.worst();
+  BOOST_TEST(parts.iterations()[1].change == 2.0);
+  BOOST_TEST(parts.iterations()[2].change == 5.0);
+}
+
+// A hundredth of a tolerance is one of its own too where there is a single part.
+BOOST_AUTO_TEST_CASE(of_a_single_part_are_that_of_the_problem) {
+  struct Values {
+    double TOL;
+    bool rate(double, In, Out) const { return true; }
+    double distance(In x, In y) const { return 10.0 * (x - y).norm(); }
+    std::vector<Range> ranges() const { return {{.name = "heat", .first = 0, .size = 2, .TOL = TOL}}; }
+  };
+  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(2), moved = Eigen::Vector2d(3.0, 4.0);
+  for (const double TOL : {1.0, 0.01}) {
+    const Values problem{TOL};
+    PartMeasures parts;
+    parts.begin(problem, {.y = zero}, 2);
+    parts.record_values(problem, zero, zero, moved);
+    const Iteration it = parts.worst();
+    BOOST_TEST(it.change == 50.0);
+    BOOST_TEST(it.w_0 == 1.0 / TOL);
+    BOOST_TEST(it.p == 1);
+    BOOST_TEST(it.field.empty());
+    BOOST_TEST(parts.iterations().empty() == (TOL == 1.0));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(have_no_value_where_the_problem_has_none) {
+  const Parted problem;
+  PartMeasures parts;
+  parts.begin(problem, {.r = Eigen::VectorXd::Ones(1), .v = Eigen::VectorXd::Ones(1), .y = Eigen::VectorXd::Ones(3)},
+              2);
+  BOOST_TEST(!parts.no_value().evaluated);
+  for (const Iteration& it : parts.iterations()) BOOST_TEST(!it.evaluated);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(worst_of_)
+
+BOOST_AUTO_TEST_CASE(is_the_largest_error_and_none_is_worse_than_any) {
+  const std::vector<Iteration> all{
+      {.w_K = 1.0, .field = "one"}, {.w_K = 2.0, .field = "two"}, {.w_K = 2.0, .field = "three"}};
+  BOOST_TEST(worst_of(all).field == "two");
+  const std::vector<Iteration> none{{.w_K = 2.0}, {.w_K = 1.0, .evaluated = false, .field = "none"}};
+  BOOST_TEST(worst_of(none).field == "none");
+}
 
 BOOST_AUTO_TEST_SUITE_END()
 

@@ -1,25 +1,16 @@
 #include <particulate/schemes/newton.hpp>
 
 #include <cmath>
+#include <functional>
 #include <limits>
 
-#include <particulate/schemes/sparse_stages.hpp>
+#include <Eigen/SparseCore>
 
 #include "close.hpp"
 
 namespace tests::newton_test {
 
-using particulate::schemes::Bandwidth;
-using particulate::schemes::Counted;
-using particulate::schemes::DenseStages;
-using particulate::schemes::difference_jacobian;
-using particulate::schemes::difference_step;
-using particulate::schemes::In;
-using particulate::schemes::NewtonSteps;
-using particulate::schemes::Out;
-using particulate::schemes::SparseStages;
-using particulate::schemes::StageEquations;
-using particulate::schemes::State;
+using namespace particulate::schemes;
 
 // Each value sees its neighbours: dy_i = y_{i-1} - 3 y_i + 2 y_{i+1}.
 struct Chain {
@@ -42,11 +33,15 @@ Eigen::MatrixXd of_chain(Eigen::Index n) {
 // y' = slope y, with the slope as it is said to be.
 struct Linear {
   double slope = -2.0;
+  mutable long jacobians = 0;
   bool rate(double, In y, Out dy) const {
     dy = slope * y;
     return true;
   }
-  void jacobian(double, In, Eigen::MatrixXd& J) const { J.setConstant(slope); }
+  void jacobian(double, In, Eigen::MatrixXd& J) const {
+    ++jacobians;
+    J.setConstant(slope);
+  }
 };
 
 const Eigen::VectorXd one = Eigen::VectorXd::Ones(1);
@@ -72,7 +67,7 @@ BOOST_AUTO_TEST_CASE(is_exact_for_linear_rates_and_asks_once_for_each_unknown) {
   Eigen::VectorXd f(7);
   chain(x, f);
   Eigen::MatrixXd J;
-  BOOST_TEST(difference_jacobian<DenseStages>(chain, x, f, sizes, {}, J));
+  BOOST_TEST(difference_jacobian(std::ref(chain), x, f, sizes, {}, J));
   BOOST_TEST(chain.asked == 8);
   BOOST_TEST(close(J, of_chain(7), {.absolute = 1e-7}));
 }
@@ -83,11 +78,11 @@ BOOST_AUTO_TEST_CASE(asks_once_for_each_diagonal_of_a_band) {
   Eigen::VectorXd f(7);
   chain(x, f);
   Eigen::MatrixXd J;
-  Eigen::SparseMatrix<double> sparse;
-  BOOST_TEST(difference_jacobian<DenseStages>(chain, x, f, sizes, Bandwidth{.lower = 1, .upper = 1}, J));
+  SparseJacobian sparse;
+  BOOST_TEST(difference_jacobian(std::ref(chain), x, f, sizes, Bandwidth{.lower = 1, .upper = 1}, J));
   BOOST_TEST(chain.asked == 4);
   BOOST_TEST(close(J, of_chain(7), {.absolute = 1e-7}));
-  BOOST_TEST(difference_jacobian<SparseStages>(chain, x, f, sizes, Bandwidth{.lower = 1, .upper = 1}, sparse));
+  BOOST_TEST(difference_jacobian(std::ref(chain), x, f, sizes, Bandwidth{.lower = 1, .upper = 1}, sparse));
   BOOST_TEST(close(Eigen::MatrixXd(sparse), J, {}));
 }
 
@@ -98,14 +93,14 @@ BOOST_AUTO_TEST_CASE(is_off_by_half_the_second_derivative_times_the_step) {
     return true;
   };
   Eigen::MatrixXd J;
-  BOOST_TEST(difference_jacobian<DenseStages>(square, one, one, one, {}, J));
+  BOOST_TEST(difference_jacobian(square, one, one, one, {}, J));
   BOOST_TEST(J(0, 0) == 2.0 + std::exp2(-26));
 }
 
 BOOST_AUTO_TEST_CASE(is_none_where_a_rate_has_no_value) {
   const auto nothing = [](const Eigen::VectorXd&, Eigen::VectorXd&) { return false; };
   Eigen::MatrixXd J;
-  BOOST_TEST(!difference_jacobian<DenseStages>(nothing, one, one, one, {}, J));
+  BOOST_TEST(!difference_jacobian(nothing, one, one, one, {}, J));
 }
 
 BOOST_AUTO_TEST_SUITE_END()
@@ -114,39 +109,53 @@ BOOST_AUTO_TEST_SUITE(NewtonSteps_)
 
 BOOST_AUTO_TEST_CASE(takes_a_jacobian_once_and_again_where_it_was_bad_at_another_time) {
   const Linear problem;
-  Counted<const Linear> counted{problem};
-  NewtonSteps<DenseStages> newton;
+  long evaluations = 0;
+  const Problem counted(problem, &evaluations);
+  NewtonSteps newton;
   const auto prepare = [&](double t, bool bad) {
-    return newton.prepare(counted, Values{t, one}, 0.5, {.A = backward_euler, .sizes = one, .bad = bad});
+    return newton.prepare(counted, State{.t = t, .y = one}, 0.5, {.A = backward_euler, .sizes = one, .bad = bad});
   };
   BOOST_TEST(prepare(0.0, false));
   BOOST_TEST(prepare(1.0, false));
-  BOOST_TEST(counted.jacobians == 1);
+  BOOST_TEST(problem.jacobians == 1);
   BOOST_TEST(prepare(2.0, true));
-  BOOST_TEST(counted.jacobians == 2);
+  BOOST_TEST(problem.jacobians == 2);
   BOOST_TEST(prepare(2.0, true));
-  BOOST_TEST(counted.jacobians == 2);
+  BOOST_TEST(problem.jacobians == 2);
   newton.forget();
   BOOST_TEST(prepare(2.0, false));
-  BOOST_TEST(counted.jacobians == 3);
-  BOOST_TEST(counted.evaluations == 0);
+  BOOST_TEST(problem.jacobians == 3);
+  BOOST_TEST(evaluations == 0);
 }
 
 // (1 - h lambda J) Delta k = g with lambda = 1, J = -2: 1/(1 + 1) and, with another step, 1/(1 + 4).
 BOOST_AUTO_TEST_CASE(solves_with_the_step_that_it_was_prepared_for) {
   Linear problem;
-  NewtonSteps<DenseStages> newton;
-  newton.prepare(problem, Values{0.0, one}, 0.5, {.A = backward_euler, .sizes = one});
+  NewtonSteps newton;
+  newton.prepare(problem, State{.t = 0.0, .y = one}, 0.5, {.A = backward_euler, .sizes = one});
   BOOST_TEST(newton.solve(one)(0, 0) == 0.5);
   BOOST_TEST(newton.filtered(one, 0.5)[0] == 0.25);
-  newton.prepare(problem, Values{0.0, one}, 2.0, {.A = backward_euler, .sizes = one});
+  newton.prepare(problem, State{.t = 0.0, .y = one}, 2.0, {.A = backward_euler, .sizes = one});
   BOOST_TEST(newton.solve(one)(0, 0) == 0.2);
+}
+
+// The Jacobian in hand, and its decomposition, belong to as many unknowns as they were made for.
+BOOST_AUTO_TEST_CASE(takes_a_jacobian_anew_for_another_number_of_unknowns) {
+  Linear problem;
+  NewtonSteps newton;
+  const Eigen::MatrixXd A = backward_euler;
+  for (const Eigen::Index n : {2, 3, 1, 5}) {
+    const Eigen::VectorXd ones = Eigen::VectorXd::Ones(n);
+    BOOST_TEST(newton.prepare(problem, {.y = ones}, 0.5, {.A = A, .sizes = ones}));
+    BOOST_TEST(newton.solve(ones).rows() == n);
+  }
+  BOOST_TEST(problem.jacobians == 4);
 }
 
 BOOST_AUTO_TEST_CASE(has_no_system_where_the_jacobian_is_not_finite) {
   Linear problem{.slope = std::numeric_limits<double>::quiet_NaN()};
-  NewtonSteps<DenseStages> newton;
-  BOOST_TEST(!newton.prepare(problem, Values{0.0, one}, 0.5, {.A = backward_euler, .sizes = one}));
+  NewtonSteps newton;
+  BOOST_TEST(!newton.prepare(problem, State{.t = 0.0, .y = one}, 0.5, {.A = backward_euler, .sizes = one}));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

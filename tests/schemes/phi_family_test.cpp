@@ -1,10 +1,12 @@
 #include <particulate/schemes/phi_family.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 
 #include <particulate/schemes/fixed_step.hpp>
+#include <particulate/schemes/fixed_sweeps.hpp>
 #include <particulate/schemes/integrate.hpp>
 
 #include "close.hpp"
@@ -13,20 +15,7 @@
 namespace tests::phi_family_test {
 
 using boost::test_tools::tolerance;
-using particulate::schemes::Anderson;
-using particulate::schemes::BackwardEuler;
-using particulate::schemes::Counted;
-using particulate::schemes::FixedStep;
-using particulate::schemes::In;
-using particulate::schemes::integrate;
-using particulate::schemes::Iteration;
-using particulate::schemes::Iterative;
-using particulate::schemes::State;
-using particulate::schemes::Out;
-using particulate::schemes::Outcome;
-using particulate::schemes::PhiFamily;
-using particulate::schemes::Picard;
-using particulate::schemes::State;
+using namespace particulate::schemes;
 
 struct Spring {
   double stiffness = 1.0;
@@ -64,14 +53,16 @@ struct Ending {
   }
 };
 
-static_assert(Iterative<BackwardEuler, Spring, Motion> && Iterative<BackwardEuler, Drag, Motion> &&
-              Iterative<PhiFamily<Anderson>, Decay, Values>);
+static_assert(Iterative<BackwardEuler> && Iterative<PhiFamily<Anderson>> && Advances<BackwardEuler, Spring> &&
+              Advances<BackwardEuler, Drag> && Advances<PhiFamily<Anderson>, Decay>);
 
-Motion at(double r, double v) { return {0.0, Eigen::VectorXd::Constant(1, r), Eigen::VectorXd::Constant(1, v)}; }
+State at(double r, double v) {
+  return {.t = 0.0, .r = Eigen::VectorXd::Constant(1, r), .v = Eigen::VectorXd::Constant(1, v)};
+}
 
 // One step to rounding.
 template <class S, class P>
-Motion stepped(S scheme, P problem, Motion state, double dt) {
+State stepped(S scheme, P problem, State state, double dt) {
   FixedStep control{.step = dt, .contractions = 100000};
   const Outcome outcome = integrate(problem, state, state.t + dt, scheme, control);
   BOOST_TEST_REQUIRE(outcome.reason == "");
@@ -80,18 +71,55 @@ Motion stepped(S scheme, P problem, Motion state, double dt) {
 
 template <class S>
 double error_of_driven(S scheme, int steps) {
-  Values state{0.0, Eigen::VectorXd::Zero(1)};
+  State state{.t = 0.0, .y = Eigen::VectorXd::Zero(1)};
   const Driven problem;
   FixedStep control{.step = 1.3 / steps};
   BOOST_REQUIRE(integrate(problem, state, 1.3, scheme, control).steps == steps);
   return std::abs(state.y[0] - std::sin(1.3));
 }
 
+// The largest number in the state over so many steps on a time scale of 1 s, or until it is all but zero; infinite if
+// the run fails.
+template <class C>
+double largest_amplitude(double phi, TimeScale::Kind kind, C control, double steps = 3000.0) {
+  PhiFamily<> scheme(phi);
+  double largest = 0.0;
+  const auto observe = [&](const State&, const State& to, double, const PhiFamily<>&) {
+    const double now = flat(to).cwiseAbs().maxCoeff();
+    largest = std::max(largest, now);
+    return now > 1e-100;
+  };
+  const Spring spring;
+  const Decay decay;
+  State state = kind == TimeScale::Kind::decays ? State{.y = Eigen::VectorXd::Ones(1)} : at(1.0, 0.0);
+  const double t_end = steps * control.step;
+  const Outcome outcome = kind == TimeScale::Kind::decays ? integrate(decay, state, t_end, scheme, control, observe)
+                                                          : integrate(spring, state, t_end, scheme, control, observe);
+  return outcome.status != Status::failed ? largest : std::numeric_limits<double>::infinity();
+}
+
+template <class C>
+int sweeps_of(const C& control) {
+  if constexpr (FixesSweeps<C>) return control.sweeps;
+  return 0;
+}
+
+// A hair within the limit nothing grows, a hair beyond it the state does or its sweeps are refused for diverging. The
+// trapezoidal rule neither damps nor drives an oscillation, whose amplitude then swings as high as 1/sqrt(1 - z^2/4).
+template <class C>
+void spans_exactly(double phi, TimeScale::Kind kind, C control, double steps = 3000.0) {
+  const double limit = PhiFamily<>(phi).spans(kind, sweeps_of(control));
+  control.step = (1.0 - 1e-3) * limit;
+  BOOST_TEST(largest_amplitude(phi, kind, control, steps) < 30.0);
+  control.step = (1.0 + 1e-3) * limit;
+  BOOST_TEST(largest_amplitude(phi, kind, control, steps) > 40.0);
+}
+
 BOOST_AUTO_TEST_SUITE(PhiFamily_)
 
 // Backward Euler on r'' = -r from (1, 2) with Dt = 1/2: r = (1 + 1)/(1 + 1/4), v = (r - 1)/(1/2).
 BOOST_AUTO_TEST_CASE(takes_the_step_of_the_monograph_at_phi_one) {
-  const Motion to = stepped(BackwardEuler{}, Spring{}, at(1.0, 2.0), 0.5);
+  const State to = stepped(BackwardEuler{}, Spring{}, at(1.0, 2.0), 0.5);
   BOOST_TEST(to.t == 0.5);
   BOOST_TEST(to.r[0] == 1.6, tolerance(1e-15));
   BOOST_TEST(to.v[0] == 1.2, tolerance(1e-15));
@@ -99,41 +127,41 @@ BOOST_AUTO_TEST_CASE(takes_the_step_of_the_monograph_at_phi_one) {
 
 // Trapezoidal on r'' = -r, z = Dt/2 = 1/4: r = (r (1 - z^2) + 2 z v)/(1 + z^2), v = (v (1 - z^2) - 2 z r)/(1 + z^2).
 BOOST_AUTO_TEST_CASE(takes_the_trapezoidal_step_at_one_half) {
-  const Motion to = stepped(PhiFamily<>(0.5), Spring{}, at(1.0, 2.0), 0.5);
+  const State to = stepped(PhiFamily<>(0.5), Spring{}, at(1.0, 2.0), 0.5);
   BOOST_TEST(to.r[0] == (0.9375 + 1.0) / 1.0625, tolerance(1e-15));
   BOOST_TEST(to.v[0] == (1.875 - 0.5) / 1.0625, tolerance(1e-15));
 }
 
 // Unknowns R, V of one step with phi = 1/4, Dt = 1: V = 2 - (R + 3)/4, R = 1 + (V + 6)/4: R = 45/17, V = 2 - 24/17.
 BOOST_AUTO_TEST_CASE(weighs_start_and_end_by_phi) {
-  const Motion to = stepped(PhiFamily<>(0.25), Spring{}, at(1.0, 2.0), 1.0);
+  const State to = stepped(PhiFamily<>(0.25), Spring{}, at(1.0, 2.0), 1.0);
   BOOST_TEST(to.r[0] == 45.0 / 17.0, tolerance(1e-14));
   BOOST_TEST(to.v[0] == 2.0 - 24.0 / 17.0, tolerance(1e-14));
 }
 
 BOOST_AUTO_TEST_CASE(is_forward_euler_at_phi_zero) {
-  const Motion to = stepped(PhiFamily<>(0.0), Spring{}, at(1.0, 2.0), 0.5);
+  const State to = stepped(PhiFamily<>(0.0), Spring{}, at(1.0, 2.0), 0.5);
   BOOST_TEST(to.r[0] == 2.0);
   BOOST_TEST(to.v[0] == 1.5);
 }
 
 BOOST_AUTO_TEST_CASE(solves_forces_that_depend_on_velocities) {
-  const Motion to = stepped(BackwardEuler{}, Drag{0.5}, at(1.0, 3.0), 0.5);
+  const State to = stepped(BackwardEuler{}, Drag{0.5}, at(1.0, 3.0), 0.5);
   BOOST_TEST(to.v[0] == 3.0 / 1.25, tolerance(1e-15));
   BOOST_TEST(to.r[0] == 1.0 + 0.5 * 3.0 / 1.25, tolerance(1e-15));
 }
 
 // Far from the origin positions are blind to a change of the velocity that is still going on.
 BOOST_AUTO_TEST_CASE(sees_velocities_converge_where_positions_are_blind) {
-  const Motion to = stepped(BackwardEuler{}, Drag{500.0}, at(1e12, 3.0), 1e-3);
+  const State to = stepped(BackwardEuler{}, Drag{500.0}, at(1e12, 3.0), 1e-3);
   BOOST_TEST(to.v[0] == 3.0 / 1.5, tolerance(1e-12));
 }
 
 BOOST_AUTO_TEST_CASE(begins_with_free_flight_and_sweeps_force_then_velocity_then_position) {
   const Spring problem;
   BackwardEuler scheme;
-  const Motion from = at(1.0, 2.0);
-  Motion to;
+  const State from = at(1.0, 2.0);
+  State to;
   BOOST_TEST(scheme.predict(problem, from, 0.5, to));
   BOOST_TEST(to.r[0] == 2.0);
   BOOST_TEST(to.v[0] == 2.0);
@@ -153,18 +181,18 @@ BOOST_AUTO_TEST_CASE(knows_the_exponent_of_its_contraction) {
   const Drag drag;
   const Decay decay;
   BackwardEuler scheme;
-  Motion moved;
+  State moved;
   scheme.predict(drag, at(1.0, 2.0), 0.5, moved);
   BOOST_TEST(scheme.sweep(drag, at(1.0, 2.0), 0.5, moved).p == 1);
-  Values values;
-  const Values from{0.0, Eigen::VectorXd::Ones(1)};
+  State values;
+  const State from{.t = 0.0, .y = Eigen::VectorXd::Ones(1)};
   scheme.predict(decay, from, 0.5, values);
   BOOST_TEST(scheme.sweep(decay, from, 0.5, values).p == 1);
 }
 
 BOOST_AUTO_TEST_CASE(solves_first_order_problems) {
   for (const double phi : {1.0, 0.5}) {
-    Values state{0.0, Eigen::VectorXd::Constant(1, 2.0)};
+    State state{.t = 0.0, .y = Eigen::VectorXd::Constant(1, 2.0)};
     const Decay problem;
     PhiFamily<> scheme(phi);
     FixedStep control{.step = 0.5};
@@ -185,12 +213,12 @@ BOOST_AUTO_TEST_CASE(has_order_one_and_order_two_at_one_half) {
 
 BOOST_AUTO_TEST_CASE(comes_to_the_same_step_by_anderson_and_where_picard_diverges) {
   for (const double phi : {1.0, 0.5}) {
-    const Motion plain = stepped(PhiFamily<>(phi), Spring{}, at(1.0, 2.0), 0.5);
-    const Motion mixed = stepped(PhiFamily<Anderson>(phi), Spring{}, at(1.0, 2.0), 0.5);
+    const State plain = stepped(PhiFamily<>(phi), Spring{}, at(1.0, 2.0), 0.5);
+    const State mixed = stepped(PhiFamily<Anderson>(phi), Spring{}, at(1.0, 2.0), 0.5);
     BOOST_TEST(close(mixed.r, plain.r, {.relative = 1e-14}));
     BOOST_TEST(close(mixed.v, plain.v, {.relative = 1e-14}));
   }
-  const Motion beyond = stepped(PhiFamily<Anderson>(), Spring{100.0}, at(1.0, 2.0), 0.5);
+  const State beyond = stepped(PhiFamily<Anderson>(), Spring{100.0}, at(1.0, 2.0), 0.5);
   BOOST_TEST(beyond.r[0] == 2.0 / 26.0, tolerance(1e-12));
   BOOST_TEST(beyond.v[0] == (beyond.r[0] - 1.0) / 0.5, tolerance(1e-12));
 }
@@ -198,11 +226,11 @@ BOOST_AUTO_TEST_CASE(comes_to_the_same_step_by_anderson_and_where_picard_diverge
 BOOST_AUTO_TEST_CASE(brings_nothing_of_one_step_into_the_next) {
   const Spring spring{4.0};
   PhiFamily<Anderson> used;
-  Motion to;
+  State to;
   used.predict(spring, at(-3.0, 7.0), 0.25, to);
   for (int k = 0; k < 2; ++k) used.sweep(spring, at(-3.0, 7.0), 0.25, to);
   PhiFamily<Anderson> fresh;
-  Motion again;
+  State again;
   used.predict(spring, at(1.0, 2.0), 0.5, to);
   fresh.predict(spring, at(1.0, 2.0), 0.5, again);
   for (int k = 0; k < 2; ++k) {
@@ -217,25 +245,61 @@ BOOST_AUTO_TEST_CASE(brings_nothing_of_one_step_into_the_next) {
 BOOST_AUTO_TEST_CASE(asks_once_a_sweep_and_for_the_start_unless_phi_is_one) {
   for (const double phi : {1.0, 0.5}) {
     const Spring spring;
-    Counted<const Spring> counted{spring};
+    long evaluations = 0;
+    const Problem counted(spring, &evaluations);
     PhiFamily<> scheme(phi);
-    Motion to;
+    State to;
     scheme.predict(counted, at(1.0, 2.0), 0.5, to);
-    BOOST_TEST(counted.evaluations == (phi < 1.0 ? 1 : 0));
+    BOOST_TEST(evaluations == (phi < 1.0 ? 1 : 0));
     scheme.sweep(counted, at(1.0, 2.0), 0.5, to);
     scheme.sweep(counted, at(1.0, 2.0), 0.5, to);
-    BOOST_TEST(counted.evaluations == (phi < 1.0 ? 3 : 2));
+    BOOST_TEST(evaluations == (phi < 1.0 ? 3 : 2));
   }
 }
 
 BOOST_AUTO_TEST_CASE(says_that_there_is_no_value_at_the_start_or_at_an_iterate) {
   const Ending problem;
-  Motion to, late = at(1.0, 2.0);
+  State to, late = at(1.0, 2.0);
   late.t = 2.0;
   PhiFamily<> trapezoidal(0.5), backward;
   BOOST_TEST(!trapezoidal.predict(problem, late, 0.5, to));
   BOOST_TEST(backward.predict(problem, late, 0.5, to));
   BOOST_TEST(!backward.sweep(problem, late, 0.5, to).evaluated);
+}
+
+// Of one sweep it is the step that grows, of several and of those to convergence the sweeps that part, or the step.
+BOOST_AUTO_TEST_CASE(spans_of_a_time_scale_what_its_sweeps_allow_and_no_more) {
+  const FixedStep converged{.step = 1.0, .TOL = 1e-6, .contractions = 20000};
+  for (const double phi : {1.0, 0.75, 0.5}) {
+    for (const int sweeps : {1, 2, 3, 4, 7}) {
+      BOOST_TEST_CONTEXT("phi = " << phi << ", " << sweeps << " sweeps") {
+        spans_exactly(phi, TimeScale::Kind::oscillates, FixedSweeps{.step = 1.0, .sweeps = sweeps});
+        spans_exactly(phi, TimeScale::Kind::decays, FixedSweeps{.step = 1.0, .sweeps = sweeps});
+      }
+    }
+    BOOST_TEST_CONTEXT("phi = " << phi << ", converged") {
+      spans_exactly(phi, TimeScale::Kind::oscillates, converged, 100.0);
+      spans_exactly(phi, TimeScale::Kind::decays, converged, 100.0);
+    }
+  }
+}
+
+// Below one half no step on an oscillation is stable, however small; of a decay 2/(1 - 2 phi), where the sweeps
+// contract so far, and 2 where an odd number of them falls short of the fixed point.
+BOOST_AUTO_TEST_CASE(spans_no_oscillation_below_one_half) {
+  for (const int sweeps : {0, 1, 2, 3}) BOOST_TEST(PhiFamily<>(0.4).spans(TimeScale::Kind::oscillates, sweeps) == 0.0);
+  BOOST_TEST(largest_amplitude(0.4, TimeScale::Kind::oscillates, FixedStep{.step = 0.3}) > 1e3);
+  for (const double phi : {0.4, 0.3, 0.1, 0.0}) {
+    for (const int sweeps : {1, 2, 3, 4, 5, 7}) {
+      const double within = 0.999 * PhiFamily<>(phi).spans(TimeScale::Kind::decays, sweeps);
+      BOOST_TEST_CONTEXT("phi = " << phi << ", " << sweeps << " sweeps") {
+        BOOST_TEST(largest_amplitude(phi, TimeScale::Kind::decays, FixedSweeps{.step = within, .sweeps = sweeps}) <=
+                   1.0);
+      }
+    }
+  }
+  spans_exactly(0.1, TimeScale::Kind::decays, FixedStep{.step = 1.0, .TOL = 1e-6});
+  spans_exactly(0.0, TimeScale::Kind::decays, FixedStep{.step = 1.0, .TOL = 1e-6});
 }
 
 BOOST_AUTO_TEST_CASE(refuses_a_weight_that_is_none) {

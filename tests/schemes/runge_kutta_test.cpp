@@ -12,16 +12,7 @@
 namespace tests::runge_kutta_test {
 
 using boost::test_tools::tolerance;
-using particulate::schemes::acceleration_of;
-using particulate::schemes::FixedStep;
-using particulate::schemes::In;
-using particulate::schemes::integrate;
-using particulate::schemes::State;
-using particulate::schemes::Out;
-using particulate::schemes::Outcome;
-using particulate::schemes::RungeKutta4;
-using particulate::schemes::Status;
-using particulate::schemes::State;
+using namespace particulate::schemes;
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
@@ -32,7 +23,7 @@ struct Growing {
     dy[1] = -2.0 * t * y[1] * y[1];
     return true;
   }
-  static Values at(double t) { return {t, Eigen::Vector2d(std::exp(std::sin(t)), 1.0 / (1.0 + t * t))}; }
+  static State at(double t) { return {.t = t, .y = Eigen::Vector2d(std::exp(std::sin(t)), 1.0 / (1.0 + t * t))}; }
 };
 
 // r_0 = 1/(1 + t) and r_1 = cos t.
@@ -42,9 +33,9 @@ struct Driven {
     a[1] = 3.0 * std::cos(t) - 4.0 * r[1];
     return true;
   }
-  static Motion at(double t) {
+  static State at(double t) {
     const double s = 1.0 / (1.0 + t);
-    return {t, Eigen::Vector2d(s, std::cos(t)), Eigen::Vector2d(-s * s, -std::sin(t))};
+    return {.t = t, .r = Eigen::Vector2d(s, std::cos(t)), .v = Eigen::Vector2d(-s * s, -std::sin(t))};
   }
 };
 
@@ -54,41 +45,49 @@ struct Damped {
     a = -1.09 * r - 0.6 * v;
     return true;
   }
-  static Motion at(double t) {
+  static State at(double t) {
     const double fading = std::exp(-0.3 * t);
-    return {t, Eigen::VectorXd::Constant(1, fading * std::cos(t)),
-            Eigen::VectorXd::Constant(1, -fading * (0.3 * std::cos(t) + std::sin(t)))};
+    return {.t = t,
+            .r = Eigen::VectorXd::Constant(1, fading * std::cos(t)),
+            .v = Eigen::VectorXd::Constant(1, -fading * (0.3 * std::cos(t) + std::sin(t)))};
   }
 };
 
-// r'' = (n + 1)(n + 2) t^n and y' = (n + 1) t^n: r = t^(n + 2), v = (n + 2) t^(n + 1), y = t^(n + 1).
-struct Polynomial {
+// r'' = (n + 1)(n + 2) t^n: r = t^(n + 2), v = (n + 2) t^(n + 1).
+struct Thrown {
   int n;
   bool acceleration(double t, In, Out a) const {
     a[0] = (n + 1) * (n + 2) * std::pow(t, n);
     return true;
   }
+};
+
+// y' = (n + 1) t^n: y = t^(n + 1).
+struct Polynomial {
+  int n;
   bool rate(double t, In, Out dy) const {
     dy[0] = (n + 1) * std::pow(t, n);
     return true;
   }
 };
 
-// Has no value from its n-th call on.
-struct Failing {
+// Have no value from their n-th call on.
+struct FailingMotion {
   int n;
   bool acceleration(double, In r, Out a) {
     a = -r;
     return --n > 0;
   }
+};
+struct FailingValues {
+  int n;
   bool rate(double, In y, Out dy) {
     dy = -y;
     return --n > 0;
   }
 };
 
-double error(const Values& a, const Values& b) { return (a.y - b.y).norm(); }
-double error(const Motion& a, const Motion& b) { return std::hypot((a.r - b.r).norm(), (a.v - b.v).norm()); }
+double error(const State& a, const State& b) { return (flat(a) - flat(b)).norm(); }
 
 template <class P>
 double error_after(const P& problem, int steps) {
@@ -107,22 +106,7 @@ double order_on(const P& problem) {
   return observed_order([&](int steps) { return error_after(problem, steps); }, {20, 30, 45, 68, 100});
 }
 
-Motion still() { return {0.0, Eigen::VectorXd::Zero(1), Eigen::VectorXd::Zero(1)}; }
-
-BOOST_AUTO_TEST_SUITE(acceleration_of_)
-
-BOOST_AUTO_TEST_CASE(gives_velocities_to_the_problems_that_want_them) {
-  const Eigen::Vector2d r(1.0, 2.0), v(10.0, 20.0);
-  Eigen::VectorXd a(2);
-  Driven driven;
-  BOOST_TEST(acceleration_of(driven, 0.0, r, v, a));
-  BOOST_TEST(close(a, Eigen::Vector2d(2.0, -5.0), {}));
-  Damped damped;
-  BOOST_TEST(acceleration_of(damped, 0.0, r, v, a));
-  BOOST_TEST(close(a, Eigen::Vector2d(-7.09, -14.18), {.relative = 4.0 * eps}));
-}
-
-BOOST_AUTO_TEST_SUITE_END()
+State still() { return {.t = 0.0, .r = Eigen::VectorXd::Zero(1), .v = Eigen::VectorXd::Zero(1)}; }
 
 BOOST_AUTO_TEST_SUITE(RungeKutta4_)
 
@@ -135,8 +119,8 @@ BOOST_AUTO_TEST_CASE(takes_the_first_five_terms_of_the_exponential) {
     }
   } problem;
   RungeKutta4 scheme;
-  Values to;
-  BOOST_TEST(scheme.predict(problem, Values{2.0, Eigen::VectorXd::Ones(1)}, 1.0, to));
+  State to;
+  BOOST_TEST(scheme.predict(problem, State{.t = 2.0, .y = Eigen::VectorXd::Ones(1)}, 1.0, to));
   BOOST_TEST(to.t == 3.0);
   BOOST_TEST(to.y[0] == 65.0 / 24.0, tolerance(2.0 * eps));
 }
@@ -150,8 +134,9 @@ BOOST_AUTO_TEST_CASE(takes_the_first_five_terms_of_the_circle) {
     }
   } problem;
   RungeKutta4 scheme;
-  Motion to;
-  BOOST_TEST(scheme.predict(problem, State{0.0, Eigen::VectorXd::Ones(1), Eigen::VectorXd::Zero(1)}, 1.0, to));
+  State to;
+  BOOST_TEST(
+      scheme.predict(problem, State{.t = 0.0, .r = Eigen::VectorXd::Ones(1), .v = Eigen::VectorXd::Zero(1)}, 1.0, to));
   BOOST_TEST(to.r[0] == 13.0 / 24.0, tolerance(2.0 * eps));
   BOOST_TEST(to.v[0] == -5.0 / 6.0, tolerance(2.0 * eps));
 }
@@ -159,16 +144,18 @@ BOOST_AUTO_TEST_CASE(takes_the_first_five_terms_of_the_circle) {
 BOOST_AUTO_TEST_CASE(is_exact_for_polynomials_up_to_degree_four) {
   RungeKutta4 scheme;
   for (int n = 0; n <= 3; ++n) {
-    Values to;
+    State to;
     const Polynomial problem{n};
-    BOOST_TEST(scheme.predict(problem, Values{0.5, Eigen::VectorXd::Constant(1, std::pow(0.5, n + 1))}, 1.5, to));
+    BOOST_TEST(
+        scheme.predict(problem, State{.t = 0.5, .y = Eigen::VectorXd::Constant(1, std::pow(0.5, n + 1))}, 1.5, to));
     BOOST_TEST(to.y[0] == std::pow(2.0, n + 1), tolerance(4.0 * eps));
   }
   for (int n = 0; n <= 2; ++n) {
-    Motion to;
-    const Polynomial problem{n};
-    const Motion from{0.5, Eigen::VectorXd::Constant(1, std::pow(0.5, n + 2)),
-                      Eigen::VectorXd::Constant(1, (n + 2) * std::pow(0.5, n + 1))};
+    State to;
+    const Thrown problem{n};
+    const State from{.t = 0.5,
+                     .r = Eigen::VectorXd::Constant(1, std::pow(0.5, n + 2)),
+                     .v = Eigen::VectorXd::Constant(1, (n + 2) * std::pow(0.5, n + 1))};
     BOOST_TEST(scheme.predict(problem, from, 1.5, to));
     BOOST_TEST(to.r[0] == std::pow(2.0, n + 2), tolerance(4.0 * eps));
     BOOST_TEST(to.v[0] == (n + 2) * std::pow(2.0, n + 1), tolerance(4.0 * eps));
@@ -177,11 +164,12 @@ BOOST_AUTO_TEST_CASE(is_exact_for_polynomials_up_to_degree_four) {
 
 // Simpson's rule makes 25/24 of 1 from 5 t^4; two thirds of the middle make 20/24 of 1 from 20 t^3.
 BOOST_AUTO_TEST_CASE(is_not_exact_one_degree_higher) {
-  const Polynomial quartic{4}, cubic{3};
+  const Polynomial quartic{4};
+  const Thrown cubic{3};
   RungeKutta4 scheme;
-  Values values;
-  Motion motion;
-  BOOST_TEST(scheme.predict(quartic, Values{0.0, Eigen::VectorXd::Zero(1)}, 1.0, values));
+  State values;
+  State motion;
+  BOOST_TEST(scheme.predict(quartic, State{.t = 0.0, .y = Eigen::VectorXd::Zero(1)}, 1.0, values));
   BOOST_TEST(values.y[0] == 25.0 / 24.0, tolerance(2.0 * eps));
   BOOST_TEST(scheme.predict(cubic, still(), 1.0, motion));
   BOOST_TEST(motion.r[0] == 5.0 / 6.0, tolerance(2.0 * eps));
@@ -203,24 +191,24 @@ BOOST_AUTO_TEST_CASE(has_order_four_for_forces_that_depend_on_velocity) {
 BOOST_AUTO_TEST_CASE(says_at_every_stage_that_there_is_no_value) {
   RungeKutta4 scheme;
   for (int n = 1; n <= 5; ++n) {
-    Failing problem{n};
-    Motion motion;
-    BOOST_TEST(scheme.predict(problem, still(), 0.1, motion) == (n == 5));
-    problem.n = n;
-    Values values;
-    BOOST_TEST(scheme.predict(problem, Values{0.0, Eigen::VectorXd::Zero(1)}, 0.1, values) == (n == 5));
+    FailingMotion moving{n};
+    State motion;
+    BOOST_TEST(scheme.predict(moving, still(), 0.1, motion) == (n == 5));
+    FailingValues growing{n};
+    State values;
+    BOOST_TEST(scheme.predict(growing, State{.t = 0.0, .y = Eigen::VectorXd::Zero(1)}, 0.1, values) == (n == 5));
   }
 }
 
 // The same steps in one run and in two, the second from copies of what the first left.
 BOOST_AUTO_TEST_CASE(continues_from_a_copy_to_the_same_bits) {
   const Damped problem;
-  Motion whole = Damped::at(0.0), state = whole;
+  State whole = Damped::at(0.0), state = whole;
   RungeKutta4 scheme, other;
   FixedStep control{.step = 0.125};
   BOOST_TEST(integrate(problem, whole, 2.0, other, control).steps == 16);
   BOOST_TEST(integrate(problem, state, 1.0, scheme, control).steps == 8);
-  Motion checkpoint = state;
+  State checkpoint = state;
   RungeKutta4 copied = scheme;
   BOOST_TEST(integrate(problem, state, 2.0, scheme, control).steps == 8);
   BOOST_TEST(integrate(problem, checkpoint, 2.0, copied, control).steps == 8);
@@ -239,12 +227,40 @@ BOOST_AUTO_TEST_CASE(is_stable_on_an_oscillator_up_to_its_limit_only) {
     }
   } problem;
   for (const double factor : {0.99, 1.01}) {
-    Motion state{0.0, Eigen::VectorXd::Ones(1), Eigen::VectorXd::Zero(1)};
+    State state{.t = 0.0, .r = Eigen::VectorXd::Ones(1), .v = Eigen::VectorXd::Zero(1)};
     RungeKutta4 scheme;
     FixedStep control{.step = factor * 2.0 * std::sqrt(2.0)};
     BOOST_TEST(integrate(problem, state, 200.0 * control.step, scheme, control).steps == 200);
     BOOST_TEST((std::hypot(state.r[0], state.v[0]) < 1.0) == (factor < 1.0));
   }
+}
+
+// Amplitude after 2000 steps of the multiple of the limit that spans() gives, by a hair within or beyond it.
+BOOST_AUTO_TEST_CASE(spans_of_an_oscillation_and_of_a_decay_what_it_can_and_no_more) {
+  struct Spring {
+    bool acceleration(double, In r, Out a) const {
+      a = -r;
+      return true;
+    }
+  } spring;
+  struct Decay {
+    bool rate(double, In y, Out dy) const {
+      dy = -y;
+      return true;
+    }
+  } decay;
+  const auto amplitude = [](const auto& problem, State state, TimeScale::Kind kind, double factor) {
+    RungeKutta4 scheme;
+    FixedStep control{.step = factor * RungeKutta4::spans(kind, 0)};
+    BOOST_TEST(integrate(problem, state, 2000.0 * control.step, scheme, control).steps == 2000);
+    return flat(state).norm();
+  };
+  const State displaced{.r = Eigen::VectorXd::Ones(1), .v = Eigen::VectorXd::Zero(1)};
+  BOOST_TEST(amplitude(spring, displaced, TimeScale::Kind::oscillates, 1.0 - 1e-3) < 1e-4);
+  BOOST_TEST(amplitude(spring, displaced, TimeScale::Kind::oscillates, 1.0 + 1e-3) > 1e4);
+  const State one{.y = Eigen::VectorXd::Ones(1)};
+  BOOST_TEST(amplitude(decay, one, TimeScale::Kind::decays, 1.0 - 1e-3) < 1e-3);
+  BOOST_TEST(amplitude(decay, one, TimeScale::Kind::decays, 1.0 + 1e-3) > 1e3);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -5,26 +5,14 @@
 
 #include <particulate/schemes/fixed_step.hpp>
 #include <particulate/schemes/runge_kutta.hpp>
+#include <particulate/schemes/staggering.hpp>
 #include <particulate/schemes/verlet.hpp>
 
 #include "close.hpp"
 
 namespace tests::scheme_test {
 
-using particulate::schemes::Controller;
-using particulate::schemes::Decision;
-using particulate::schemes::Dense;
-using particulate::schemes::In;
-using particulate::schemes::Iteration;
-using particulate::schemes::Iterative;
-using particulate::schemes::State;
-using particulate::schemes::Out;
-using particulate::schemes::Outcome;
-using particulate::schemes::RungeKutta4;
-using particulate::schemes::Scheme;
-using particulate::schemes::Status;
-using particulate::schemes::State;
-using particulate::schemes::VelocityVerlet;
+using namespace particulate::schemes;
 
 struct Spring {
   bool acceleration(double, In r, Out a) const {
@@ -45,25 +33,44 @@ struct Decay {
   }
 };
 
-static_assert(Scheme<RungeKutta4, Spring, Motion> && Scheme<RungeKutta4, Damped, Motion> &&
-              Scheme<RungeKutta4, Decay, Values>);
-static_assert(Scheme<VelocityVerlet, Spring, Motion>);
-static_assert(Scheme<RungeKutta4, const Spring, Motion>, "a problem may be constant");
-static_assert(!Scheme<VelocityVerlet, Damped, Motion>, "Verlet has no rule for forces that depend on velocities");
-static_assert(!Scheme<RungeKutta4, Decay, Motion> && !Scheme<VelocityVerlet, Decay, Values>);
-static_assert(!Iterative<RungeKutta4, Spring, Motion> && !Dense<RungeKutta4, Motion>);
+// Fields alone, without a rate of all of them.
+struct Fields {
+  std::size_t fields() const { return 1; }
+  bool solve(std::size_t, const State&, double, const State&, State&) const { return true; }
+  particulate::schemes::Part part(std::size_t) const { return {.motion = true}; }
+};
+
+static_assert(Scheme<RungeKutta4> && Scheme<VelocityVerlet> && Scheme<Staggered>);
+static_assert(Advances<RungeKutta4, Spring> && Advances<RungeKutta4, Damped> && Advances<RungeKutta4, Decay>);
+static_assert(Advances<VelocityVerlet, Spring>);
+static_assert(Advances<RungeKutta4, const Spring>, "a problem may be constant");
+static_assert(!Advances<VelocityVerlet, Damped>, "Verlet has no rule for forces that depend on velocities");
+static_assert(!Advances<VelocityVerlet, Decay>);
+static_assert(Advances<Staggered, Fields> && !Advances<RungeKutta4, Fields> && !Advances<Staggered, Spring>);
+static_assert(Advances<VelocityVerlet, Problem>, "of an erased problem it is known only when a run starts");
+static_assert(!Advances<Damped, Spring>, "what is no scheme advances nothing");
+static_assert(!Iterative<RungeKutta4> && !Dense<RungeKutta4> && !Measured<RungeKutta4> && Limited<RungeKutta4>);
 
 struct Swept : RungeKutta4 {
-  Iteration sweep(Spring&, const Motion&, double, Motion&) { return {}; }
-  void at(const Motion&, double, double, Motion&) const {}
+  Iteration sweep(const Problem&, const State&, double, State&) { return {}; }
+  void at(const State&, double, double, State&) const {}
 };
-static_assert(Iterative<Swept, Spring, Motion> && Dense<Swept, Motion>);
+static_assert(Iterative<Swept> && Dense<Swept>);
 
 // History behind a pointer would be shared by a checkpoint.
 struct Uncopyable : RungeKutta4 {
   std::unique_ptr<int> history;
 };
-static_assert(!Scheme<Uncopyable, Spring, Motion>);
+static_assert(!Scheme<Uncopyable>);
+
+// A scheme says what it can advance.
+struct Silent {
+  static constexpr int order = 1;
+  bool predict(const Problem&, const State&, double, State&) { return true; }
+  void accept(double) {}
+  void forget() {}
+};
+static_assert(!Scheme<Silent>);
 
 struct WithoutValidation {
   double dt() const { return 1.0; }

@@ -2,32 +2,66 @@
 
 #include <cmath>
 
+#include <Eigen/SparseCore>
+
 #include <particulate/schemes/collocation_table.hpp>
-#include <particulate/schemes/sparse_stages.hpp>
+#include <particulate/schemes/newton.hpp>
 
 #include "close.hpp"
 
 namespace tests::stage_solver_test {
 
-using particulate::schemes::collocation_coefficients;
-using particulate::schemes::DenseStages;
-using particulate::schemes::gauss_nodes;
-using particulate::schemes::radau_nodes;
-using particulate::schemes::SparseStages;
-using particulate::schemes::StageEigenvalues;
+using namespace particulate::schemes;
 
-StageEigenvalues gauss(int s) { return StageEigenvalues(collocation_coefficients(gauss_nodes(s)).A); }
+StageEigenvalues gauss(int s) { return StageEigenvalues(collocation_table(gauss_nodes(s)).A); }
+
+// y' = J y, with the Jacobian in both forms.
+struct Decay {
+  double J;
+  bool rate(double, In y, Out dy) const {
+    dy = J * y;
+    return true;
+  }
+  void jacobian(double, In, Eigen::MatrixXd& of) const { of.setConstant(J); }
+  void sparse_jacobian(double, In, SparseJacobian& of) const { of.coeffRef(0, 0) = J; }
+};
+// r'' = K r, likewise.
+struct Spring {
+  double K;
+  bool acceleration(double, In r, Out a) const {
+    a = K * r;
+    return true;
+  }
+  void jacobian(double, In, Eigen::MatrixXd& of) const { of.setConstant(K); }
+  void sparse_jacobian(double, In, SparseJacobian& of) const { of.coeffRef(0, 0) = K; }
+};
+// r'' = J v + K r, of which difference quotients are taken from 0 by powers of two: they are exact.
+struct DampedSpring {
+  double J, K;
+  bool acceleration(double, In r, In v, Out a) const {
+    a = J * v + K * r;
+    return true;
+  }
+  Bandwidth bandwidth() const { return {}; }
+};
 
 // One unknown, one stage at the end of the step: 1 - h J - h^2 K.
-template <class Stages>
-double solved(double h, double J, double K) {
-  const StageEigenvalues one(Eigen::MatrixXd::Ones(1, 1));
-  typename Stages::Matrix velocities(1, 1), places(1, 1);
-  Stages::set(velocities, 0, 0, J);
-  Stages::set(places, 0, 0, K);
-  Stages stages;
-  stages.factorize(one, h, velocities, places);
-  return stages.solve(0, Eigen::VectorXcd::Ones(1))[0].real();
+double solved(bool sparse, const Problem& problem) {
+  const Eigen::VectorXd one = Eigen::VectorXd::Ones(1), zero = Eigen::VectorXd::Zero(1);
+  State at{.y = zero};
+  if (problem.traits().motion) at = {.r = zero, .v = zero};
+  NewtonSteps newton(sparse);
+  BOOST_REQUIRE(newton.prepare(problem, at, 0.5, {.A = Eigen::MatrixXd::Ones(1, 1), .sizes = one}));
+  return newton.solve(one)(0, 0);
+}
+
+void solves_by_velocities_and_places(bool sparse) {
+  const Decay decay{-3.0};
+  const Spring spring{-4.0};
+  const DampedSpring both{-2.0, -8.0};
+  BOOST_TEST(solved(sparse, decay) == 0.4);
+  BOOST_TEST(solved(sparse, spring) == 0.5);
+  BOOST_TEST(solved(sparse, both) == 0.25);
 }
 
 BOOST_AUTO_TEST_SUITE(StageEigenvalues_)
@@ -59,17 +93,13 @@ BOOST_AUTO_TEST_CASE(take_residuals_apart_and_put_them_together_again) {
 
 // Delta k - h A J Delta k = g with J = -2, h = 1/2: (I + A) Delta k = g.
 BOOST_AUTO_TEST_CASE(make_the_stages_one_system_each) {
-  const Eigen::MatrixXd A = collocation_coefficients(radau_nodes(3)).A;
-  const StageEigenvalues of(A);
-  DenseStages stages;
-  stages.factorize(of, 0.5, Eigen::MatrixXd::Constant(1, 1, -2.0), {});
+  const Eigen::MatrixXd A = collocation_table(radau_nodes(3)).A;
+  const Decay decay{-2.0};
+  const Eigen::VectorXd one = Eigen::VectorXd::Ones(1);
   const Eigen::MatrixXd residual = Eigen::RowVector3d(1.0, -2.0, 5.0);
-  Eigen::MatrixXcd apart = of.apart(residual);
-  for (Eigen::Index i = 0; i < apart.cols(); ++i) {
-    const Eigen::VectorXcd right = apart.col(i);
-    apart.col(i) = stages.solve(static_cast<std::size_t>(i), right);
-  }
-  const Eigen::MatrixXd expected = (Eigen::Matrix3d::Identity() + A) * of.together(apart).transpose();
+  NewtonSteps newton;
+  BOOST_REQUIRE(newton.prepare(decay, {.y = one}, 0.5, {.A = A, .sizes = one}));
+  const Eigen::MatrixXd expected = (Eigen::Matrix3d::Identity() + A) * newton.solve(residual).transpose();
   BOOST_TEST(close(expected, residual.transpose(), {.absolute = 1e-14}));
 }
 
@@ -77,28 +107,22 @@ BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE(DenseStages_)
 
-BOOST_AUTO_TEST_CASE(solve_with_the_jacobians_of_velocities_and_of_places) {
-  BOOST_TEST(solved<DenseStages>(0.5, -3.0, 0.0) == 0.4);
-  BOOST_TEST(solved<DenseStages>(0.5, 0.0, -4.0) == 0.5);
-  BOOST_TEST(solved<DenseStages>(0.5, -2.0, -8.0) == 0.25);
-}
+BOOST_AUTO_TEST_CASE(solve_with_the_jacobians_of_velocities_and_of_places) { solves_by_velocities_and_places(false); }
 
 BOOST_AUTO_TEST_CASE(give_nothing_finite_where_a_system_is_singular) {
-  BOOST_TEST(!std::isfinite(solved<DenseStages>(0.5, 2.0, 0.0)));
+  const Decay growth{2.0};
+  BOOST_TEST(!std::isfinite(solved(false, growth)));
 }
 
 BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE(SparseStages_)
 
-BOOST_AUTO_TEST_CASE(solve_what_dense_ones_solve) {
-  BOOST_TEST(solved<SparseStages>(0.5, -3.0, 0.0) == 0.4);
-  BOOST_TEST(solved<SparseStages>(0.5, 0.0, -4.0) == 0.5);
-  BOOST_TEST(solved<SparseStages>(0.5, -2.0, -8.0) == 0.25);
-}
+BOOST_AUTO_TEST_CASE(solve_what_dense_ones_solve) { solves_by_velocities_and_places(true); }
 
 BOOST_AUTO_TEST_CASE(give_nothing_finite_where_a_system_is_singular) {
-  BOOST_TEST(!std::isfinite(solved<SparseStages>(0.5, 2.0, 0.0)));
+  const Decay growth{2.0};
+  BOOST_TEST(!std::isfinite(solved(true, growth)));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

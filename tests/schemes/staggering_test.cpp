@@ -14,24 +14,12 @@
 namespace tests::staggering_test {
 
 using boost::test_tools::tolerance;
-using particulate::schemes::Aitken;
-using particulate::schemes::Field;
-using particulate::schemes::FirstOrderPair;
-using particulate::schemes::FixedStep;
-using particulate::schemes::integrate;
-using particulate::schemes::Iteration;
-using particulate::schemes::Iterative;
-using particulate::schemes::Outcome;
-using particulate::schemes::SecondOrderPair;
-using particulate::schemes::Seen;
-using particulate::schemes::Staggered;
-using particulate::schemes::Staggers;
-using particulate::schemes::State;
+using namespace particulate::schemes;
 
-static_assert(Iterative<Staggered, FirstOrderPair, Values> && Staggers<Staggered>);
+static_assert(Iterative<Staggered> && Measured<Staggered> && Advances<Staggered, FirstOrderPair>);
 
 const FirstOrderPair pair{.a = (Eigen::Matrix2d() << 1.0, 2.0, 4.0, 3.0).finished()};
-const Values start{0.0, Eigen::Vector2d(5.0, 2.0)};
+const State start{.t = 0.0, .y = Eigen::Vector2d(5.0, 2.0)};
 
 std::vector<Field> fields(double TOL = 1e-12) { return {{"one", TOL, 2}, {"two", TOL, 2}}; }
 
@@ -41,11 +29,32 @@ Eigen::Vector2d coupled_step(const Eigen::Matrix2d& a, double dt) {
   return M.inverse() * start.y;
 }
 
-Outcome stepped(Staggered scheme, FirstOrderPair problem, double dt, Values& state) {
+Outcome stepped(Staggered scheme, FirstOrderPair problem, double dt, State& state) {
   state = start;
   FixedStep control{.step = dt, .TOL = 1.0, .contractions = 200};
   return integrate(problem, state, dt, scheme, control);
 }
+
+// A body that heat brakes, heat that grows with its place, and a charge that doubles each second, each by one step of
+// semi-implicit Euler with the others frozen.
+struct Carriage {
+  std::vector<Part> parts{{.motion = true}, {.first = 0, .size = 1}, {.first = 1, .size = 1}};
+  std::size_t fields() const { return parts.size(); }
+  Part part(std::size_t k) const { return parts[k]; }
+  bool solve(std::size_t k, const State& from, double dt, const State& seen, State& to) const {
+    if (k == 0) {
+      to.v = from.v - dt * seen.y.head(1);
+      to.r = from.r + dt * to.v;
+    } else {
+      to.y[k == 1 ? 0 : 1] = k == 1 ? from.y[0] + dt * seen.r[0] : from.y[1] / (1.0 - dt);
+    }
+    return true;
+  }
+  static State start() {
+    return {
+        .r = Eigen::VectorXd::Constant(1, 1.0), .v = Eigen::VectorXd::Constant(1, 2.0), .y = Eigen::Vector2d(5.0, 4.0)};
+  }
+};
 
 BOOST_AUTO_TEST_SUITE(Aitken_)
 
@@ -71,7 +80,7 @@ BOOST_AUTO_TEST_SUITE(Staggered_)
 // Dt = 1/2 from (5, 2): Gauss-Seidel w_1 = (5 - 2)/(3/2) = 2, w_2 = (2 - 2 * 2)/(5/2) = -0.8; Jacobi sees w_1 = 5.
 BOOST_AUTO_TEST_CASE(solves_each_field_with_the_newest_or_the_previous_values) {
   Staggered newest(fields()), previous(fields(), Seen::previous);
-  Values to;
+  State to;
   BOOST_TEST(newest.predict(pair, start, 0.5, to));
   BOOST_TEST(close(to.y, start.y, {}));
   BOOST_TEST(to.t == 0.5);
@@ -84,7 +93,7 @@ BOOST_AUTO_TEST_CASE(solves_each_field_with_the_newest_or_the_previous_values) {
 
 BOOST_AUTO_TEST_CASE(comes_to_the_coupled_step_either_way) {
   for (const Seen seen : {Seen::newest, Seen::previous}) {
-    Values state;
+    State state;
     BOOST_TEST(stepped(Staggered(fields(), seen), pair, 0.25, state).reason == "");
     BOOST_TEST(close(state.y, coupled_step(pair.a, 0.25), {.relative = 1e-11}));
   }
@@ -94,7 +103,7 @@ BOOST_AUTO_TEST_CASE(comes_to_the_coupled_step_either_way) {
 // w_1 = 5.8/1.5, changing it by 5.6/3, and w_2 = (2 - 2 * 5.8/1.5)/2.5.
 BOOST_AUTO_TEST_CASE(measures_each_field_in_units_of_its_tolerance_and_returns_the_worst) {
   Staggered scheme({{"one", 1e-2, 2}, {"two", 1e-3, 4}});
-  Values to;
+  State to;
   scheme.predict(pair, start, 0.5, to);
   const Iteration first = scheme.sweep(pair, start, 0.5, to);
   BOOST_TEST(first.field == "two");
@@ -110,7 +119,7 @@ BOOST_AUTO_TEST_CASE(measures_each_field_in_units_of_its_tolerance_and_returns_t
 
 BOOST_AUTO_TEST_CASE(is_cured_of_divergence_by_relaxation) {
   const FirstOrderPair driven{.a = (Eigen::Matrix2d() << 1.0, 3.0, -3.0, 1.0).finished()};
-  Values state;
+  State state;
   BOOST_TEST(stepped(Staggered(fields()), driven, 2.0, state).reason.find("diverge") != std::string::npos);
   const Outcome cured = stepped(Staggered(fields(), Seen::newest, Aitken{}), driven, 2.0, state);
   BOOST_TEST(cured.reason == "");
@@ -120,8 +129,8 @@ BOOST_AUTO_TEST_CASE(is_cured_of_divergence_by_relaxation) {
 
 BOOST_AUTO_TEST_CASE(brings_nothing_of_one_step_into_the_next) {
   Staggered used(fields(), Seen::newest, Aitken{}), fresh(fields(), Seen::newest, Aitken{});
-  const Values elsewhere{0.0, Eigen::Vector2d(-7.0, 3.0)};
-  Values to, again;
+  const State elsewhere{.t = 0.0, .y = Eigen::Vector2d(-7.0, 3.0)};
+  State to, again;
   used.predict(pair, elsewhere, 0.25, to);
   for (int k = 0; k < 2; ++k) used.sweep(pair, elsewhere, 0.25, to);
   used.predict(pair, start, 0.5, to);
@@ -136,7 +145,7 @@ BOOST_AUTO_TEST_CASE(brings_nothing_of_one_step_into_the_next) {
 BOOST_AUTO_TEST_CASE(says_that_a_field_has_no_value) {
   const FirstOrderPair growing{.a = (Eigen::Matrix2d() << 0.0, 1.0, 1.0, -2.0).finished()};
   Staggered scheme(fields());
-  Values to;
+  State to;
   scheme.predict(growing, start, 0.5, to);
   const Iteration it = scheme.sweep(growing, start, 0.5, to);
   BOOST_TEST(!it.evaluated);
@@ -144,7 +153,7 @@ BOOST_AUTO_TEST_CASE(says_that_a_field_has_no_value) {
 }
 
 BOOST_AUTO_TEST_CASE(counts_every_field_that_is_solved) {
-  Values state;
+  State state;
   const Outcome outcome = stepped(Staggered(fields()), pair, 0.25, state);
   BOOST_TEST(outcome.sweeps > 2);
   BOOST_TEST(outcome.evaluations == 2 * outcome.sweeps);
@@ -153,13 +162,63 @@ BOOST_AUTO_TEST_CASE(counts_every_field_that_is_solved) {
 // r = (w_1 + Dt w_1' - Dt^2 c w_2), and likewise: a 2 x 2 system, solved here by elimination.
 BOOST_AUTO_TEST_CASE(solves_fields_of_second_order) {
   const SecondOrderPair oscillators{.c12 = 2.0, .c21 = 4.0};
-  Values state{0.0, Eigen::Vector4d(1.0, 3.0, -2.0, 5.0)};
+  State state{.t = 0.0, .y = Eigen::Vector4d(1.0, 3.0, -2.0, 5.0)};
   Staggered scheme({{"one", 1e-14, 4}, {"two", 1e-14, 4}});
   FixedStep control{.step = 0.25, .TOL = 1.0};
   BOOST_TEST(integrate(oscillators, state, 0.25, scheme, control).reason == "");
   const double free_1 = 1.75, free_2 = -0.75, h12 = 0.125, h21 = 0.25;
   const double w_1 = (free_1 - h12 * free_2) / (1.0 - h12 * h21), w_2 = free_2 - h21 * w_1;
   BOOST_TEST(close(state.y, Eigen::Vector4d(w_1, (w_1 - 1.0) / 0.25, w_2, (w_2 + 2.0) / 0.25), {.relative = 1e-13}));
+}
+
+// By hand, Dt = 1/2, motion first, from r = 1, v = 2, y = (5, 4) with everything seen as it was: v = 2 - 5/2,
+// r = 1 - 1/4; then y_0 = 5 + (1/2) (3/4), with the new place; y_1 = 8, without either.
+BOOST_AUTO_TEST_CASE(solves_the_motion_as_one_field_and_ranges_of_values_as_others) {
+  const Carriage problem;
+  Staggered scheme({{"motion", 1e-6, 2}, {"heat", 1e-6, 1}, {"charge", 1e-6, 1}});
+  State to;
+  BOOST_TEST(scheme.predict(problem, Carriage::start(), 0.5, to));
+  const Iteration first = scheme.sweep(problem, Carriage::start(), 0.5, to);
+  BOOST_TEST(first.evaluated);
+  BOOST_TEST(close(flat(to), Eigen::Vector4d(0.75, -0.5, 5.375, 8.0), {}));
+  // Motion is measured by its places: it moved by 1/4, and that it changed by.
+  BOOST_TEST(scheme.iterations()[0].field == "motion");
+  BOOST_TEST(scheme.iterations()[0].change == 0.25);
+  scheme.sweep(problem, Carriage::start(), 0.5, to);
+  BOOST_TEST(scheme.iterations()[0].change == 0.09375);  // 5.375/2 more of a speed, half of it a place, than 5/2
+  BOOST_TEST(scheme.iterations()[2].change == 0.0);
+}
+
+// v = 2 - y_0/2, r = 1 + v/2, y_0 = 5 + r/2: r = (2 - 5/4)/(1 + 1/8) = 2/3.
+BOOST_AUTO_TEST_CASE(comes_to_the_coupled_step_of_motion_and_values) {
+  const Carriage problem;
+  for (const bool relaxed : {false, true}) {
+    Staggered scheme({{"motion", 1e-13, 2}, {"heat", 1e-13, 1}, {"charge", 1e-13, 1}}, Seen::newest,
+                     relaxed ? std::optional(Aitken{}) : std::nullopt);
+    State state = Carriage::start();
+    FixedStep control{.step = 0.5, .TOL = 1.0};
+    BOOST_TEST(integrate(problem, state, 0.5, scheme, control).reason == "");
+    BOOST_TEST(close(flat(state), Eigen::Vector4d(2.0 / 3.0, -2.0 / 3.0, 16.0 / 3.0, 8.0), {.relative = 1e-12}));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(refuses_fields_that_do_not_own_all_of_the_state_each_once) {
+  const auto refuses = [](std::vector<Part> given, const char* words) {
+    Carriage problem;
+    problem.parts = std::move(given);
+    Staggered scheme({{"motion", 1e-6, 2}, {"heat", 1e-6, 1}, {"charge", 1e-6, 1}});
+    State to;
+    BOOST_CHECK_EXCEPTION(scheme.predict(problem, Carriage::start(), 0.5, to), std::invalid_argument, says(words));
+  };
+  const Part motion{.motion = true}, heat{.first = 0, .size = 1}, charge{.first = 1, .size = 1}, none{};
+  refuses({motion, heat, none}, "fields must own all of the state, 1 places and 2 values, each once; they own 1 and 1");
+  refuses({none, heat, charge}, "they own 0 and 2");
+  refuses({motion, motion, {.first = 0, .size = 2}}, "they own 2 and 2");
+  refuses({motion, heat, {.first = 0, .size = 2}}, "each number once; field charge owns value 0, which another owns");
+  refuses({motion, heat, {.first = 2, .size = 1}},
+          "field charge must own a range of the 2 values of the state, got 1 from 2 on");
+  refuses({motion, {.first = -1, .size = 1}, charge}, "field heat must own a range of the 2 values");
+  refuses({motion, heat, heat}, "each number once; field charge owns value 0, which another owns");
 }
 
 BOOST_AUTO_TEST_CASE(refuses_settings_that_cannot_be_meant) {
@@ -172,7 +231,7 @@ BOOST_AUTO_TEST_CASE(refuses_settings_that_cannot_be_meant) {
   BOOST_CHECK_EXCEPTION(Staggered(fields(), Seen::previous, Aitken{}), std::invalid_argument,
                         says("relaxation needs Seen::newest"));
   Staggered one({{"one", 1e-6, 1}});
-  Values to;
+  State to;
   BOOST_CHECK_EXCEPTION(one.predict(pair, start, 0.5, to), std::invalid_argument,
                         says("settings for each of the problem's 2 fields, got 1"));
 }

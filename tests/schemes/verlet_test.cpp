@@ -1,5 +1,6 @@
 #include <particulate/schemes/verlet.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 #include <particulate/schemes/fixed_step.hpp>
@@ -11,14 +12,7 @@
 namespace tests::verlet_test {
 
 using boost::test_tools::tolerance;
-using particulate::schemes::Counted;
-using particulate::schemes::FixedStep;
-using particulate::schemes::In;
-using particulate::schemes::integrate;
-using particulate::schemes::State;
-using particulate::schemes::Out;
-using particulate::schemes::Outcome;
-using particulate::schemes::VelocityVerlet;
+using namespace particulate::schemes;
 
 struct Spring {
   double stiffness = 1.0;
@@ -35,36 +29,36 @@ struct Driven {
     a[1] = 3.0 * std::cos(t) - 4.0 * r[1];
     return true;
   }
-  static Motion at(double t) {
+  static State at(double t) {
     const double s = 1.0 / (1.0 + t);
-    return {t, Eigen::Vector2d(s, std::cos(t)), Eigen::Vector2d(-s * s, -std::sin(t))};
+    return {.t = t, .r = Eigen::Vector2d(s, std::cos(t)), .v = Eigen::Vector2d(-s * s, -std::sin(t))};
   }
 };
 
 double error_after(int steps) {
   const double t_end = 1.7;
-  Motion state = Driven::at(0.0);
+  State state = Driven::at(0.0);
   VelocityVerlet scheme;
   FixedStep control{.step = t_end / steps};
   const Driven problem;
   const Outcome outcome = integrate(problem, state, t_end, scheme, control);
   BOOST_REQUIRE(outcome.steps == steps);
-  const Motion exact = Driven::at(t_end);
+  const State exact = Driven::at(t_end);
   return std::hypot((state.r - exact.r).norm(), (state.v - exact.v).norm());
 }
 
-Motion displaced() { return {0.0, Eigen::VectorXd::Ones(1), Eigen::VectorXd::Zero(1)}; }
+State displaced() { return {.t = 0.0, .r = Eigen::VectorXd::Ones(1), .v = Eigen::VectorXd::Zero(1)}; }
 
 // One accepted step.
 template <class P>
-Motion stepped(VelocityVerlet& scheme, P& problem, const Motion& from, double dt) {
-  Motion to;
+State stepped(VelocityVerlet& scheme, const P& problem, const State& from, double dt) {
+  State to;
   BOOST_REQUIRE(scheme.predict(problem, from, dt, to));
   scheme.accept(dt);
   return to;
 }
 
-void same_bits(const Motion& a, const Motion& b) {
+void same_bits(const State& a, const State& b) {
   BOOST_TEST(a.t == b.t);
   BOOST_TEST(close(a.r, b.r, {}));
   BOOST_TEST(close(a.v, b.v, {}));
@@ -72,7 +66,7 @@ void same_bits(const Motion& a, const Motion& b) {
 
 // What a scheme without history makes of the step: the same as one with history, unless that is stale.
 template <class P>
-void steps_as_if_new(VelocityVerlet scheme, P& problem, const Motion& from) {
+void steps_as_if_new(VelocityVerlet scheme, P& problem, const State& from) {
   VelocityVerlet fresh;
   same_bits(stepped(scheme, problem, from, 0.25), stepped(fresh, problem, from, 0.25));
 }
@@ -83,7 +77,7 @@ BOOST_AUTO_TEST_SUITE(VelocityVerlet_)
 BOOST_AUTO_TEST_CASE(takes_a_step_as_multiplied_out_by_hand) {
   VelocityVerlet scheme;
   const Spring problem;
-  const Motion to = stepped(scheme, problem, displaced(), 0.5);
+  const State to = stepped(scheme, problem, displaced(), 0.5);
   BOOST_TEST(to.t == 0.5);
   BOOST_TEST(to.r[0] == 0.875);
   BOOST_TEST(to.v[0] == -0.46875);
@@ -99,11 +93,11 @@ BOOST_AUTO_TEST_CASE(is_exact_for_constant_acceleration_only) {
     }
   };
   VelocityVerlet scheme;
-  const Motion rest{0.0, Eigen::VectorXd::Zero(1), Eigen::VectorXd::Zero(1)};
+  const State rest{.t = 0.0, .r = Eigen::VectorXd::Zero(1), .v = Eigen::VectorXd::Zero(1)};
   const Ramp constant{0.0}, ramp{1.0};
   BOOST_TEST(stepped(scheme, constant, rest, 3.0).r[0] == 4.5);
   scheme.forget();
-  const Motion to = stepped(scheme, ramp, rest, 2.0);
+  const State to = stepped(scheme, ramp, rest, 2.0);
   BOOST_TEST(to.v[0] == 2.0);
   BOOST_TEST(to.r[0] == 0.0);
 }
@@ -119,8 +113,8 @@ BOOST_AUTO_TEST_CASE(retraces_its_steps_when_velocities_are_turned) {
       return true;
     }
   } anharmonic;
-  const Motion start = Driven::at(0.3);
-  Motion state = start;
+  const State start = Driven::at(0.3);
+  State state = start;
   state.t = 0.0;
   VelocityVerlet scheme;
   FixedStep control{.step = 0.125};
@@ -135,7 +129,7 @@ BOOST_AUTO_TEST_CASE(retraces_its_steps_when_velocities_are_turned) {
 // Dt^2/4 of the energy comes and goes, none is lost: v^2 + r^2 (1 - Dt^2/4) is kept exactly.
 BOOST_AUTO_TEST_CASE(keeps_the_energy_of_its_own_oscillator) {
   const Spring problem;
-  Motion state = displaced();
+  State state = displaced();
   VelocityVerlet scheme;
   FixedStep control{.step = 0.5};
   const double kept = 1.0 - 0.0625;
@@ -148,7 +142,7 @@ BOOST_AUTO_TEST_CASE(keeps_the_energy_of_its_own_oscillator) {
 BOOST_AUTO_TEST_CASE(is_stable_on_an_oscillator_up_to_its_limit_only) {
   const Spring problem;
   for (const double factor : {0.99, 1.01}) {
-    Motion state = displaced();
+    State state = displaced();
     VelocityVerlet scheme;
     FixedStep control{.step = factor * 2.0};
     BOOST_TEST(integrate(problem, state, 200.0 * control.step, scheme, control).steps == 200);
@@ -156,9 +150,28 @@ BOOST_AUTO_TEST_CASE(is_stable_on_an_oscillator_up_to_its_limit_only) {
   }
 }
 
+// At a hair within the limit that spans() gives the amplitude stays below 1/sqrt(1 - z^2/4) = 22; beyond it grows by
+// exp(acosh(z^2/2 - 1)) = 1.09 a step.
+BOOST_AUTO_TEST_CASE(spans_of_an_oscillation_what_it_can_and_no_more) {
+  const Spring problem;
+  for (const double factor : {1.0 - 1e-3, 1.0 + 1e-3}) {
+    State state = displaced();
+    VelocityVerlet scheme;
+    FixedStep control{.step = factor * VelocityVerlet::spans(TimeScale::Kind::oscillates, 0)};
+    double largest = 0.0;
+    const auto observe = [&](const State&, const State& to, double, const VelocityVerlet&) {
+      largest = std::max(largest, std::abs(to.r[0]));
+      return true;
+    };
+    BOOST_TEST(integrate(problem, state, 2000.0 * control.step, scheme, control, observe).steps == 2000);
+    BOOST_TEST((factor < 1.0 ? largest < 30.0 : largest > 1e60));
+  }
+  BOOST_TEST(std::isinf(VelocityVerlet::spans(TimeScale::Kind::decays, 0)));  // it advances none
+}
+
 BOOST_AUTO_TEST_CASE(asks_once_a_step_and_once_more_at_the_start) {
   const Spring problem;
-  Motion state = displaced();
+  State state = displaced();
   VelocityVerlet scheme;
   FixedStep control{.step = 0.125};
   BOOST_TEST(integrate(problem, state, 2.0, scheme, control).evaluations == 17);
@@ -170,26 +183,26 @@ BOOST_AUTO_TEST_CASE(asks_once_a_step_and_once_more_at_the_start) {
 BOOST_AUTO_TEST_CASE(uses_no_stale_acceleration_where_positions_or_time_were_changed) {
   const Driven problem;
   VelocityVerlet scheme;
-  const Motion kept = stepped(scheme, problem, Driven::at(0.0), 0.25);
+  const State kept = stepped(scheme, problem, Driven::at(0.0), 0.25);
   steps_as_if_new(scheme, problem, kept);
-  Motion moved = kept;
+  State moved = kept;
   moved.r[0] = 3.0;
   steps_as_if_new(scheme, problem, moved);
-  Motion later = kept;
+  State later = kept;
   later.t += 1.0;
   steps_as_if_new(scheme, problem, later);
-  Motion faster = kept;
+  State faster = kept;
   faster.v *= 2.0;
   steps_as_if_new(scheme, problem, faster);
   const Spring other;
-  const Motion longer{kept.t, Eigen::VectorXd::Ones(7), Eigen::VectorXd::Zero(7)};
+  const State longer{.t = kept.t, .r = Eigen::VectorXd::Ones(7), .v = Eigen::VectorXd::Zero(7)};
   steps_as_if_new(scheme, other, longer);
 }
 
 BOOST_AUTO_TEST_CASE(forgets_a_problem_that_was_changed) {
   Spring problem;
   VelocityVerlet scheme;
-  const Motion kept = stepped(scheme, problem, displaced(), 0.25);
+  const State kept = stepped(scheme, problem, displaced(), 0.25);
   problem.stiffness = 4.0;
   scheme.forget();
   steps_as_if_new(scheme, problem, kept);
@@ -197,14 +210,15 @@ BOOST_AUTO_TEST_CASE(forgets_a_problem_that_was_changed) {
 
 BOOST_AUTO_TEST_CASE(tries_a_refused_step_again_from_the_same_acceleration) {
   const Spring spring;
-  Counted<const Spring> counted{spring};
+  long evaluations = 0;
+  const Problem counted(spring, &evaluations);
   VelocityVerlet scheme;
-  const Motion kept = stepped(scheme, counted, displaced(), 0.25);
-  Motion refused;
+  const State kept = stepped(scheme, counted, displaced(), 0.25);
+  State refused;
   BOOST_TEST(scheme.predict(counted, kept, 0.5, refused));
-  BOOST_TEST(counted.evaluations == 3);
-  const Motion again = stepped(scheme, counted, kept, 0.25);
-  BOOST_TEST(counted.evaluations == 4);
+  BOOST_TEST(evaluations == 3);
+  const State again = stepped(scheme, counted, kept, 0.25);
+  BOOST_TEST(evaluations == 4);
   VelocityVerlet fresh;
   same_bits(again, stepped(fresh, spring, kept, 0.25));
 }
@@ -220,19 +234,19 @@ BOOST_AUTO_TEST_CASE(says_that_there_is_no_value_at_either_end) {
   for (int n = 1; n <= 3; ++n) {
     Failing problem{n};
     VelocityVerlet scheme;
-    Motion to;
+    State to;
     BOOST_TEST(scheme.predict(problem, displaced(), 0.1, to) == (n == 3));
   }
 }
 
 BOOST_AUTO_TEST_CASE(continues_from_a_copy_to_the_same_bits) {
   const Driven problem;
-  Motion whole = Driven::at(0.0), state = whole;
+  State whole = Driven::at(0.0), state = whole;
   VelocityVerlet scheme, other;
   FixedStep control{.step = 0.125};
   BOOST_TEST(integrate(problem, whole, 2.0, other, control).steps == 16);
   BOOST_TEST(integrate(problem, state, 1.0, scheme, control).steps == 8);
-  Motion checkpoint = state;
+  State checkpoint = state;
   VelocityVerlet copied = scheme;
   BOOST_TEST(integrate(problem, state, 2.0, scheme, control).evaluations == 8);
   BOOST_TEST(integrate(problem, checkpoint, 2.0, copied, control).evaluations == 8);

@@ -1,19 +1,18 @@
 // Two unit masses under (beta1, beta2) = (2, 3), released at rest at 1 m: Kepler's equation gives every moment.
 
 #include <fmt/format.h>
-#include <boost/multiprecision/cpp_bin_float.hpp>
 
 #include <harness/case.hpp>
 #include <particulate/schemes/runge_kutta.hpp>
 #include <particulate/schemes/verlet.hpp>
 
 #include "breathing.hpp"
+#include "fifty_digits.hpp"
 #include "references.hpp"
 
 namespace verification::breathing_pair {
 
 using namespace particulate;
-using Digits50 = boost::multiprecision::cpp_bin_float_50;
 
 // The table of the catalogue: alpha1 = 1, unit masses, r_0 = 1; the exact r_min is 1/(2/alpha2 - 1).
 struct Line {
@@ -64,29 +63,12 @@ void compare_table(Rows& rows, const Line& line) {
        .because = "-C(r_min) = (1 - alpha2) (2 - alpha2)^2/alpha2^2 by hand; the rounding of r_min counts thrice"});
 }
 
-// r and dr/dt at a time by Kepler's equation in 50 digits, halved into place.
-kinematics::Radial in_fifty_digits(double alpha2, double t) {
-  using boost::multiprecision::sqrt;
-  const Digits50 two_depth = 2 - Digits50(alpha2);  // 2|E| for alpha1 = r_0 = 1
-  const Digits50 a = 1 / two_depth, eps = 1 / a - 1, n = sqrt(2 / (a * a * a));
-  const Digits50 pi = boost::math::constants::pi<Digits50>();
-  // The start is the outer turning point, xi = pi.
-  const Digits50 mean = n * Digits50(t) + pi;
-  Digits50 low = mean - 2, high = mean + 2;
-  for (int k = 0; k < 165; ++k) {
-    const Digits50 xi = (low + high) / 2;
-    (xi - eps * sin(xi) < mean ? low : high) = xi;
-  }
-  const Digits50 r = a * (1 - eps * cos(low));
-  return {.r = static_cast<double>(r), .v = static_cast<double>(a * eps * sin(low) * n * a / r)};
-}
-
 BreathingErrors errors_of_closed_form(double alpha2) {
   const ExactBreathing exact = exact_pair(alpha2);
   BreathingErrors worst;
   for (int k = 0; k <= 60; ++k) {
     const double t = exact.motion.period() * k / 20.0;
-    const kinematics::Radial computed = exact.motion.at(t), expected = in_fifty_digits(alpha2, t);
+    const kinematics::Radial computed = exact.motion.at(t), expected = breathing_in_fifty_digits(alpha2, t);
     worst.position = std::max(worst.position, std::abs(computed.r - expected.r));
     worst.velocity = std::max(worst.velocity, std::abs(computed.v - expected.v) / exact.largest_speed());
   }

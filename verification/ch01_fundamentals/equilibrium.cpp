@@ -3,18 +3,17 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <boost/multiprecision/cpp_bin_float.hpp>
 
 #include <harness/case.hpp>
 #include <particulate/kinematics/central_force.hpp>
 
 #include "differences.hpp"
+#include "fifty_digits.hpp"
 #include "starts.hpp"
 
 namespace verification::equilibrium {
 
 using namespace particulate;
-using Digits50 = boost::multiprecision::cpp_bin_float_50;
 
 const kinematics::CentralForce book{.alpha1 = 0.5, .alpha2 = 0.25, .beta1 = 1.0, .beta2 = 2.0};
 const kinematics::CentralForce reversed{.alpha1 = 0.25, .alpha2 = 0.5, .beta1 = 2.0, .beta2 = 1.0};
@@ -42,9 +41,8 @@ void compare_place(Rows& rows) {
                                           .computed = equilibrium_distance(reversed),
                                           .tolerance = relative(2.3e-16),
                                           .because = "(0.5/0.25)^-1, one power"});
-  const Digits50 exponent = 1 / (Digits50(real.beta2) - Digits50(real.beta1));
   rows.compare("d_e [m], beta = (1.3, 2.9)",
-               {.expected = static_cast<double>(pow(Digits50(real.alpha2) / Digits50(real.alpha1), exponent)),
+               {.expected = equilibrium_in_fifty_digits(real.alpha1, real.alpha2, real.beta1, real.beta2),
                 .computed = equilibrium_distance(real),
                 .tolerance = relative(1e-15),
                 .because = "ratio and exponent are rounded twice each, ln(0.7/3)/1.6 is of size 1"});

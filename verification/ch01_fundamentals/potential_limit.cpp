@@ -1,15 +1,15 @@
 // The potential's difference joins smoothly where an exponent passes through 1.
 
 #include <fmt/format.h>
-#include <boost/multiprecision/cpp_bin_float.hpp>
 
 #include <harness/case.hpp>
 #include <particulate/kinematics/central_force.hpp>
 
+#include "fifty_digits.hpp"
+
 namespace verification::potential_limit {
 
 using namespace particulate;
-using Digits50 = boost::multiprecision::cpp_bin_float_50;
 
 constexpr double d = 0.5;
 constexpr double d_ref = 0.75;
@@ -20,12 +20,6 @@ double attraction_alone(double beta) {
 
 double repulsion_alone(double beta) {
   return kinematics::potential({.alpha1 = 0.0, .alpha2 = 1.0, .beta1 = 2.0, .beta2 = beta}, d, d_ref);
-}
-
-// (d^(1-beta) - d_ref^(1-beta))/(1-beta) with 50 digits, of which the division by 1e-12 costs twelve.
-double in_fifty_digits(double beta) {
-  const Digits50 exponent = 1 - Digits50(beta);
-  return static_cast<double>((pow(Digits50(d), exponent) - pow(Digits50(d_ref), exponent)) / exponent);
 }
 
 const Case potential_limit{
@@ -48,12 +42,12 @@ const Case potential_limit{
       }
       for (const double offset : {-1e-3, -1e-6, -1e-9, -1e-12, 1e-12, 1e-9, 1e-6, 1e-3}) {
         rows.compare(fmt::format("attraction alone [J], beta = 1 {:+}", offset),
-                     {.expected = in_fifty_digits(1.0 + offset),
+                     {.expected = potential_in_fifty_digits(d, d_ref, 1.0 + offset),
                       .computed = attraction_alone(1.0 + offset),
                       .tolerance = relative(1e-15),
                       .because = "1 - beta is exact, and four functions are rounded"});
         rows.compare(fmt::format("repulsion alone [J], beta = 1 {:+}", offset),
-                     {.expected = -in_fifty_digits(1.0 + offset),
+                     {.expected = -potential_in_fifty_digits(d, d_ref, 1.0 + offset),
                       .computed = repulsion_alone(1.0 + offset),
                       .tolerance = relative(1e-15),
                       .because = "1 - beta is exact, and four functions are rounded"});

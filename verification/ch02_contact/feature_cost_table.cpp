@@ -1,89 +1,15 @@
 // What every feature of a scene costs, absent, idle and used: instructions counted by valgrind, allocations by malloc.
 
 #include <array>
-#include <cstdio>
-#include <map>
-#include <memory>
-#include <stdexcept>
 #include <string>
-#include <vector>
 
 #include <fmt/format.h>
 
 #include <harness/case.hpp>
+#include <harness/instruction_count.hpp>
 #include <particulate/report/table.hpp>
 
 namespace verification::feature_cost_table {
-
-constexpr double particles = 64.0;
-
-// What the program of ./feature_cost/ says of one run, and valgrind about it.
-struct Counted {
-  long steps = 0, impacts = 0, allocations = 0, bytes = 0;
-  long long instructions = 0;
-};
-
-std::string output_of(const std::string& command) {
-  struct Closed {
-    void operator()(std::FILE* pipe) const { pclose(pipe); }
-  };
-  const std::unique_ptr<std::FILE, Closed> pipe(popen((command + " 2>&1").c_str(), "r"));
-  if (!pipe) throw std::runtime_error("feature_cost: no process can be started for " + command);
-  std::string all;
-  std::array<char, 4096> part;
-  while (std::fgets(part.data(), static_cast<int>(part.size()), pipe.get())) all += part.data();
-  return all;
-}
-
-Counted counted(const std::string& scene, long steps) {
-  // The whole process is counted, starting and setting up included: differences of two runs do not contain them.
-  const std::string said = output_of(fmt::format("valgrind --tool=callgrind --callgrind-out-file=/dev/null '{}' {} {}",
-                                                 PARTICULATE_FEATURE_COST, scene, steps));
-  Counted is;
-  const std::size_t line = said.find("steps "), total = said.find("Collected : ");
-  const bool told =
-      line != std::string::npos && std::sscanf(said.c_str() + line, "steps %ld impacts %ld allocations %ld bytes %ld",
-                                               &is.steps, &is.impacts, &is.allocations, &is.bytes) == 4;
-  const bool collected =
-      total != std::string::npos && std::sscanf(said.c_str() + total, "Collected : %lld", &is.instructions) == 1;
-  if (!told || !collected || is.steps != steps) {
-    throw std::runtime_error(
-        "feature_cost: instructions were not measured; valgrind (with its tool callgrind) must be "
-        "installed and run this program, but it said: " +
-        said);
-  }
-  return is;
-}
-
-// Cost of a step, from two runs of different length.
-struct Cost {
-  double instructions = 0.0;  // per particle and step
-  double allocations = 0.0;   // per step
-  double bytes = 0.0;         // per particle and step
-  double impacts = 0.0;       // per step
-};
-
-class Costs {
- public:
-  explicit Costs(bool quick) : short_(50), long_(quick ? 100 : 250) {}
-
-  const Cost& of(const std::string& scene) {
-    const auto [at, is_new] = known_.try_emplace(scene);
-    if (is_new) {
-      const Counted few = counted(scene, short_), many = counted(scene, long_);
-      const auto steps = static_cast<double>(long_ - short_);
-      at->second = {.instructions = static_cast<double>(many.instructions - few.instructions) / (steps * particles),
-                    .allocations = static_cast<double>(many.allocations - few.allocations) / steps,
-                    .bytes = static_cast<double>(many.bytes - few.bytes) / (steps * particles),
-                    .impacts = static_cast<double>(many.impacts - few.impacts) / steps};
-    }
-    return at->second;
-  }
-
- private:
-  long short_, long_;
-  std::map<std::string, Cost> known_;
-};
 
 // Scenes of the program by feature and state; everything else in them is alike.
 struct Feature {
@@ -99,11 +25,11 @@ constexpr std::array features{
             "restitution_law_used"}};
 
 void add_line(particulate::report::Table& table, const std::string& feature, const std::string& state,
-              const std::string& surroundings, const Cost& cost) {
+              const std::string& surroundings, const StepCost& cost) {
   table.add({feature, state, surroundings, cost.instructions, cost.allocations, cost.bytes, cost.impacts});
 }
 
-void claim_composition(Rows& rows, Costs& costs) {
+void claim_composition(Rows& rows, const StepCosts& costs) {
   const auto compare = [&](const char* what, const char* scene, const char* by_hand) {
     rows.at_most(fmt::format("{}: instructions beyond a problem written by hand, per particle and step", what),
                  {.limit = 12.0,
@@ -118,7 +44,7 @@ void claim_composition(Rows& rows, Costs& costs) {
 }
 
 // The loop itself: what the library checks and remembers, beyond what the shortest program does.
-void claim_loop(Rows& rows, Costs& costs) {
+void claim_loop(Rows& rows, const StepCosts& costs) {
   const auto compare = [&](const char* what, const char* scene, const char* by_hand) {
     rows.at_most(fmt::format("{}: instructions beyond the shortest loop by hand, per particle and step", what),
                  {.limit = 125.0,
@@ -138,7 +64,7 @@ void claim_loop(Rows& rows, Costs& costs) {
                            "the processor takes two at once"});
 }
 
-void claim_states(Rows& rows, Costs& costs) {
+void claim_states(Rows& rows, const StepCosts& costs) {
   for (const Feature& feature : features) {
     rows.at_least(fmt::format("{}: instructions idle over absent", feature.name),
                   {.limit = 0.999,
@@ -171,7 +97,7 @@ const Case feature_cost{
      .equation = "R 2.2",
      .reference = Reference::independent_method},
     [](Rows& rows) {
-      Costs costs(rows.quick());
+      const StepCosts costs = step_costs(PARTICULATE_FEATURE_COST, {.few = 50, .many = rows.quick() ? 100 : 250});
       particulate::report::Table table({"feature", "state", "surroundings", "instructions per particle and step",
                                         "allocations per step", "bytes per particle and step", "impacts per step"});
       for (const Feature& feature : features) {

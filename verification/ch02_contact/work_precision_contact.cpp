@@ -138,7 +138,7 @@ const Case three_bodies{
       race.truth = [exact](double t) {
         return *std::find_if(exact.begin(), exact.end(), [t](const schemes::State& at) { return at.t == t; });
       };
-      const std::vector<double> steps = halved(1e-3, rows.quick() ? 8 : 11);
+      const std::vector<double> steps = halved(1e-3, rows.quick() ? 7 : 11);
       const char* const scatter =
           "four impacts each fall anywhere within a step, so that single errors scatter about the first order, which "
           "three_body_near_field claims two-sided of their means";

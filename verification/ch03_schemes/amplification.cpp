@@ -22,18 +22,19 @@ using namespace particulate::schemes;
 // A power of two, so that the times of a run are exact and every step is the same to the last bit.
 constexpr double dt = 1.0 / 64.0;
 
-template <class S, class P, class State>
-State after(S scheme, P problem, State state, long steps) {
+template <class S>
+State after(S scheme, const Problem& problem, State state, long steps) {
   FixedStep control{.step = dt};
   require_reached(integrate(problem, state, state.t + static_cast<double>(steps) * dt, scheme, control));
   return state;
 }
 
-// Mass 4 and speed 3: neither drops out by being one. Values and Motion go through different code.
+// Mass 4 and speed 3: neither drops out by being one. State and motions go through different code.
 template <class S>
 void compare_drag(Rows& rows, const std::string& method, const S& scheme, const std::function<double(double)>& factor) {
   for (const double z : {0.01, 0.1, 0.5, 0.9}) {
     const Drag drag{.c = 4.0 * z / dt, .m = 4.0};
+    const DragRate rate{.c = drag.c, .m = drag.m};
     const Comparison expected{.expected = factor(z),
                               .tolerance = relative(32.0 * eps / (1.0 - z)),
                               .because =
@@ -44,7 +45,7 @@ void compare_drag(Rows& rows, const std::string& method, const S& scheme, const 
       row.computed = v / 3.0;
       rows.compare(fmt::format("{}, c Dt/m = {}, {}", method, z, form), row);
     };
-    compare("first order", after(scheme, drag, Values{.t = 0.0, .y = Eigen::VectorXd::Constant(1, 3.0)}, 1).y[0]);
+    compare("first order", after(scheme, rate, State{.t = 0.0, .y = Eigen::VectorXd::Constant(1, 3.0)}, 1).y[0]);
     compare("second order", after(scheme, drag, motion(0.0, 3.0), 1).v[0]);
   }
 }
@@ -53,8 +54,8 @@ void compare_drag(Rows& rows, const std::string& method, const S& scheme, const 
 void compare_limit(Rows& rows) {
   constexpr long steps = 10000;
   for (const double z : {2.0 - 2e-3, 2.0 + 2e-3}) {
-    const Drag drag{.c = z / dt, .m = 1.0};
-    const double v = after(ForwardEuler{}, drag, Values{.t = 0.0, .y = Eigen::VectorXd::Ones(1)}, steps).y[0];
+    const DragRate drag{.c = z / dt, .m = 1.0};
+    const double v = after(ForwardEuler{}, drag, State{.t = 0.0, .y = Eigen::VectorXd::Ones(1)}, steps).y[0];
     rows.compare(fmt::format("ln |v| after {} steps of forward Euler, Dt = {} m/c", steps, z),
                  {.expected = static_cast<double>(steps) * std::log(std::abs(1.0 - z)),
                   .computed = std::log(std::abs(v)),
@@ -84,8 +85,9 @@ void compare_energy(Rows& rows, const std::string& method, const S& scheme,
                     const std::function<double(double)>& factor) {
   constexpr long steps = 256;
   for (const double x : {0.01, 0.3, 0.9}) {
-    const Motion start = motion(0.6, 0.8 * x / dt);
-    const Motion end = after(scheme, oscillator(x / dt), start, steps);
+    const State start = motion(0.6, 0.8 * x / dt);
+    const Oscillators spring = oscillator(x / dt);
+    const State end = after(scheme, spring, start, steps);
     rows.compare(fmt::format("ln of the energy's growth in {} steps, {}, omega Dt = {}", steps, method, x),
                  {.expected = static_cast<double>(steps) * std::log(factor(x)),
                   .computed = std::log(energy(x / dt, end) / energy(x / dt, start)),
@@ -100,8 +102,9 @@ void compare_verlet(Rows& rows) {
   constexpr long steps = 10000;
   for (const double x : {0.01, 0.3, 0.9, 1.9}) {
     const double omega = x / dt, flattened = omega * std::sqrt(1.0 - x * x / 4.0);
-    const Motion start = motion(0.6, 0.8 * omega);
-    const Motion end = after(VelocityVerlet{}, oscillator(omega), start, steps);
+    const State start = motion(0.6, 0.8 * omega);
+    const Oscillators spring = oscillator(omega);
+    const State end = after(VelocityVerlet{}, spring, start, steps);
     rows.compare(fmt::format("ln of the growth of Verlet's ellipse in {} steps, omega Dt = {}", steps, x),
                  {.expected = 0.0,
                   .computed = std::log(energy(flattened, end) / energy(flattened, start)),

@@ -10,18 +10,16 @@
 
 namespace verification::classical_jacobians {
 
-using namespace particulate;
+using particulate::schemes::Problem;
 
-template <class P>
-Eigen::VectorXd rate_at(const P& problem, const Eigen::VectorXd& y) {
-  Eigen::VectorXd dy(y.size());
-  problem.rate(0.0, y, dy);
-  return dy;
+Eigen::VectorXd rate_at(const Problem& problem, const Eigen::VectorXd& y) {
+  particulate::schemes::Rates rates;
+  problem.rates({.y = y}, rates);
+  return rates.dy;
 }
 
 // Central differences over h = y_j/4 and over 2 h, extrapolated: exact for polynomials of degree four, whatever h is.
-template <class P>
-Eigen::MatrixXd by_differences(const P& problem, const Eigen::VectorXd& y) {
+Eigen::MatrixXd by_differences(const Problem& problem, const Eigen::VectorXd& y) {
   Eigen::MatrixXd J(y.size(), y.size());
   for (Eigen::Index j = 0; j < y.size(); ++j) {
     const auto difference = [&](double h) -> Eigen::VectorXd {
@@ -34,10 +32,9 @@ Eigen::MatrixXd by_differences(const P& problem, const Eigen::VectorXd& y) {
 }
 
 // Each row over its largest entry: a row holds the derivatives of one rate.
-template <class P>
-void compare(Rows& rows, const std::string& name, const P& problem, const Eigen::VectorXd& y) {
+void compare(Rows& rows, const std::string& name, const Problem& problem, const Eigen::VectorXd& y) {
   Eigen::MatrixXd given;
-  problem.jacobian(0.0, y, given);
+  problem.jacobian({0.0, {nullptr, 0}, {nullptr, 0}, {y.data(), y.size()}}, given);
   const Eigen::MatrixXd seen = by_differences(problem, y);
   const Eigen::VectorXd largest = seen.rowwise().lpNorm<Eigen::Infinity>();
   const Eigen::MatrixXd error = ((given - seen).array().colwise() / largest.array()).matrix();
@@ -53,9 +50,12 @@ const Case jacobians{{.name = "classical_jacobians",
                       .equation = "R 3.2",
                       .reference = Reference::independent_method},
                      [](Rows& rows) {
-                       compare(rows, "Robertson", Robertson{}, Eigen::Vector3d{0.7, 3e-5, 0.3});
-                       compare(rows, "van der Pol", VanDerPol{}, Eigen::Vector2d{1.7, -0.9});
-                       compare(rows, "Oregonator", Oregonator{}, Eigen::Vector3d{20.0, 1200.0, 130.0});
+                       const Robertson robertson;
+                       const VanDerPol van_der_pol;
+                       const Oregonator oregonator;
+                       compare(rows, "Robertson", robertson, Eigen::Vector3d{0.7, 3e-5, 0.3});
+                       compare(rows, "van der Pol", van_der_pol, Eigen::Vector2d{1.7, -0.9});
+                       compare(rows, "Oregonator", oregonator, Eigen::Vector3d{20.0, 1200.0, 130.0});
                      }};
 
 }  // namespace verification::classical_jacobians

@@ -1,11 +1,10 @@
 #pragma once
 
 #include <cmath>
-#include <functional>
 
-#include <particulate/laws/near_field.hpp>
 #include <particulate/kinematics/domain.hpp>
 #include <particulate/kinematics/particles.hpp>
+#include <particulate/laws/near_field.hpp>
 #include <particulate/scenes/scene.hpp>
 #include <particulate/schemes/problem.hpp>
 
@@ -102,25 +101,6 @@ struct WithoutJacobian {
   /// Forwards. @see particulate::schemes::FirstOrderProblem
   bool rate(double t, particulate::schemes::In y, particulate::schemes::Out dy) const { return problem.rate(t, y, dy); }
 };
-
-/// Rates with a Jacobian, with the problem's type erased: a method is compiled once for all of them.
-struct AnyValues {
-  std::function<bool(double, particulate::schemes::In, particulate::schemes::Out)> answer;  ///< the rate
-  std::function<void(double, particulate::schemes::In, Eigen::MatrixXd&)> derivatives;      ///< its Jacobian
-
-  /// Forwards. @see particulate::schemes::FirstOrderProblem
-  bool rate(double t, particulate::schemes::In y, particulate::schemes::Out dy) const { return answer(t, y, dy); }
-  /// Forwards. @see particulate::schemes::HasJacobian
-  void jacobian(double t, particulate::schemes::In y, Eigen::MatrixXd& J) const { derivatives(t, y, J); }
-};
-
-/// @param problem  rates and their Jacobian; must outlive what is returned @return it without its type
-template <class P>
-AnyValues any_values(P& problem) {
-  using particulate::schemes::In;
-  return {.answer = [&problem](double t, In y, particulate::schemes::Out dy) { return problem.rate(t, y, dy); },
-          .derivatives = [&problem](double t, In y, Eigen::MatrixXd& J) { problem.jacobian(t, y, J); }};
-}
 
 /// The Pleiades: seven stars of masses 1 ... 7 in a plane, which pass close by one another. Gravity with the constant 1
 /// is the near field that attracts with the square of the distance and repels not at all.

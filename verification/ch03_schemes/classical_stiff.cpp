@@ -20,9 +20,8 @@ struct Tolerances {
   std::string because;
 };
 
-template <class P>
-void compare(Rows& rows, const std::string& how, P problem, schemes::State state, const schemes::State& known,
-             const Tolerances& allowed) {
+void compare(Rows& rows, const std::string& how, const schemes::Problem& problem, schemes::State state,
+             const schemes::State& known, const Tolerances& allowed) {
   const reference::Bdf method{.relative = allowed.relative, .absolute = allowed.absolute};
   const schemes::Outcome out = reference::integrate(problem, state, known.t, method);
   rows.equal(how + ": ended", {.expected = "reached",
@@ -39,7 +38,8 @@ void compare(Rows& rows, const std::string& how, P problem, schemes::State state
 template <class P>
 void compare_both(Rows& rows, const P& problem, const Tolerances& allowed) {
   compare(rows, "given Jacobian", problem, P::start(), P::published(), allowed);
-  compare(rows, "difference quotients", WithoutJacobian<P>{problem}, P::start(), P::published(), allowed);
+  const WithoutJacobian<P> without{problem};
+  compare(rows, "difference quotients", without, P::start(), P::published(), allowed);
 }
 
 Claim claim_of(const std::string& name, const std::string& problem) {

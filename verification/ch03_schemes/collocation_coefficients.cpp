@@ -123,7 +123,7 @@ struct Method {
   bool gauss;
 
   std::vector<long double> nodes() const { return gauss ? gauss_nodes(s) : radau_nodes(s); }
-  CollocationCoefficients coefficients() const { return collocation_coefficients(nodes()); }
+  CollocationTable coefficients() const { return collocation_table(nodes()); }
 };
 
 std::vector<Method> methods() {
@@ -134,7 +134,7 @@ std::vector<Method> methods() {
 }
 
 void compare_digits(Rows& rows, const Method& method) {
-  const CollocationCoefficients of = method.coefficients();
+  const CollocationTable of = method.coefficients();
   const Exact exact = exact_method(zeros(nodal_polynomial(method.gauss ? method.s : method.s - 1, method.s), of.c));
   long rising = 0;
   for (std::size_t j = 0; j < exact.c.size(); ++j) {
@@ -187,7 +187,7 @@ struct Conditions {
 };
 
 Conditions conditions(const Method& method) {
-  const CollocationCoefficients of = method.coefficients();
+  const CollocationTable of = method.coefficients();
   const int s = method.s, order = method.gauss ? 2 * s : 2 * s - 1;
   Conditions worst;
   keep_conditions(worst.B, of.b, of.c, order, [](int q, Defect& defect) { defect.add(-1.0L / q, 0); });
@@ -229,7 +229,7 @@ void compare_conditions(Rows& rows, const Method& method) {
 
 // Symmetric and symplectic, as Gauss is.
 void compare_structure(Rows& rows, const Method& method) {
-  const CollocationCoefficients of = method.coefficients();
+  const CollocationTable of = method.coefficients();
   double symplectic = 0.0, symmetric = 0.0;
   const Eigen::Index last = method.s - 1;
   for (Eigen::Index i = 0; i <= last; ++i) {
@@ -294,7 +294,7 @@ struct Polynomials {
 // Over what their sums are made of: rounding counts so many times.
 template <class Nodes>
 Polynomials polynomials(double theta) {
-  const CollocationTable<Nodes>& table = CollocationTable<Nodes>::get();
+  const CollocationTable& table = table_of<Nodes>();
   const auto l = table.basis(theta), area = table.once(theta), place = table.twice(theta);
   const double size = std::max(1.0, std::pow(theta, Nodes::stages)) * (1.0 + l.cwiseAbs().sum());
   Polynomials worst;

@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <string>
-#include <type_traits>
 
 #include <ch01_fundamentals/motions.hpp>
 #include <harness/case.hpp>
@@ -27,24 +26,17 @@ struct Rotation {
 // that the rounding of the coefficients, a shift in frequency, does not count.
 constexpr double step = 1.0 / 8192.0, t_end = 16.0;
 
-void put(Motion& state, double r, double v) { state = motion(r, v); }
-void put(Values& state, double r, double v) { state = {.t = 0.0, .y = Eigen::Vector2d{r, v}}; }
-
 // The largest error of position and velocity of (cos, -sin)(t + phase) at the ends of the last hundred steps.
-template <class State, class P>
-double largest_error(P problem, double phase, bool compensated) {
-  State state;
-  put(state, std::cos(phase), -std::sin(phase));
+double largest_error(const Problem& problem, double phase, bool compensated) {
+  const double r = std::cos(phase), v = -std::sin(phase);
+  State state = problem.traits().motion ? motion(r, v) : State{.t = 0.0, .y = Eigen::Vector2d{r, v}};
   using Scheme = Collocation<Gauss<4>>;
   Scheme scheme({.compensated = compensated});
   double worst = 0.0;
   const auto watch = [&](const State&, const State& to, double, const Scheme&) {
     if (to.t < t_end - 100.0 * step) return true;
-    if constexpr (std::is_same_v<State, Values>) {
-      keep_worst(worst, std::hypot(to.y[0] - std::cos(to.t + phase), to.y[1] + std::sin(to.t + phase)));
-    } else {
-      keep_worst(worst, std::hypot(to.r[0] - std::cos(to.t + phase), to.v[0] + std::sin(to.t + phase)));
-    }
+    const Eigen::VectorXd at = flat(to);
+    keep_worst(worst, std::hypot(at[0] - std::cos(to.t + phase), at[1] + std::sin(to.t + phase)));
     return true;
   };
   FixedStep control{.step = step};
@@ -53,12 +45,11 @@ double largest_error(P problem, double phase, bool compensated) {
 }
 
 // From six phases: how roundings add up is a matter of luck.
-template <class State, class P>
-void compare(Rows& rows, const std::string& which, const P& problem) {
+void compare(Rows& rows, const std::string& which, const Problem& problem) {
   double with = 0.0, without = 0.0;
   for (const double phase : {0.0, 0.5, 1.0, 1.5, 2.0, 2.5}) {
-    keep_worst(with, largest_error<State>(problem, phase, true));
-    keep_worst(without, largest_error<State>(problem, phase, false));
+    keep_worst(with, largest_error(problem, phase, true));
+    keep_worst(without, largest_error(problem, phase, false));
   }
   rows.at_most("largest error after 131072 steps, " + which,
                {.limit = 16.0 * eps,
@@ -74,8 +65,10 @@ const Case collocation_compensated{
      .equation = "D 3.4",
      .reference = Reference::closed_form},
     [](Rows& rows) {
-      compare<Motion>(rows, "motion", oscillator(1.0));
-      compare<Values>(rows, "values", Rotation{});
+      const Oscillators spring = oscillator(1.0);
+      const Rotation rotation;
+      compare(rows, "motion", spring);
+      compare(rows, "values", rotation);
     }};
 
 }  // namespace verification::collocation_compensated

@@ -18,11 +18,11 @@
 #include <particulate/schemes/collocation.hpp>
 #include <particulate/schemes/fixed_step.hpp>
 #include <particulate/schemes/integrate.hpp>
+#include <particulate/schemes/sweeps.hpp>
 
 #include "endings.hpp"
 #include "linear_problems.hpp"
 #include "pade.hpp"
-#include "sweeping.hpp"
 
 namespace verification::collocation_contraction {
 
@@ -69,7 +69,7 @@ Square weights_twice(int s) {
       }
     }
   }
-  return A * A;
+  return A.lazyProduct(A);
 }
 
 // The limit of |M^n|^(1/n), by squaring: after 50 of them what the norm is does not matter.
@@ -79,7 +79,7 @@ double spectral_radius(Square matrix) {
     const long double size = matrix.cwiseAbs().maxCoeff();
     logarithm += share_of * std::log(size);
     matrix /= size;
-    matrix = (matrix * matrix).eval();
+    matrix = matrix.lazyProduct(matrix).eval();
     share_of /= 2.0L;
   }
   return static_cast<double>(std::exp(logarithm));
@@ -123,7 +123,7 @@ struct Spring {
 };
 
 // The largest eigenvalue by which changes x go down, which may be one of a pair: x'' = p x' + q x.
-double largest_factor(const std::vector<Motion>& iterates, std::size_t at) {
+double largest_factor(const std::vector<State>& iterates, std::size_t at) {
   const auto change = [&](std::size_t k) { return iterates[at + k + 1].r[0] - iterates[at + k].r[0]; };
   // Two equations for p and q by Cramer's rule.
   const double unit = change(0), x1 = change(1) / unit, x2 = change(2) / unit, x3 = change(3) / unit;
@@ -139,8 +139,8 @@ double compare_factor(Rows& rows, const std::string& how, double x, const Tolera
   const double expected = by_theory(S, std::is_same_v<Solver, Sequential>, x);
   // As many as there are powers of ten down to the smallest double.
   const int sweeps = static_cast<int>(std::min(4000.0, -280.0 / std::log10(expected)));
-  const Swept<Motion> seen =
-      sweep(Collocation<Gauss<S>, Solver>(), Spring{.deceives = true}, motion(0.0, 0.0), x / omega, sweeps);
+  Spring deceiver{.deceives = true};
+  const Sweeps seen = sweep_by_hand(Collocation<Gauss<S>, Solver>(), deceiver, motion(0.0, 0.0), x / omega, sweeps);
   const auto last = static_cast<std::size_t>(sweeps);
   rows.compare(fmt::format("factor of a sweep, {}, s = {}, omega dt = {:.6g}", how, S, x),
                {.expected = expected,
@@ -162,14 +162,12 @@ double compare_factor(Rows& rows, const std::string& how, double x, const Tolera
 
 // One step, against the Pade approximation of exp(i omega dt), by which omega r - i v turns.
 template <int S, class Solver>
-Ending spring(double x, const Solver& solver, const FixedStep& control, double tolerance, const std::string& because) {
+Ending spring(double x, const Solver& solver, FixedStep control, double tolerance, const std::string& because) {
   Spring problem;
-  const Motion from = motion(0.8, -0.6 * omega);
-  Motion to = from;
+  State to = motion(0.8, -0.6 * omega);
   Collocation<Gauss<S>, Solver> scheme({}, solver);
-  Outcome out;
-  const Attempt made = attempt(scheme, problem, from, x / omega, to, control, out);
-  if (const Decision decision = control.judge(made); !decision.accepted) return Ending::refused(decision.impossible);
+  const Outcome out = integrate(problem, to, x / omega, scheme, control);
+  if (out.status != Status::reached) return Ending::refused(out.reason);
   const std::complex<double> exact = pade(S, S, {0.0, x}) * std::complex<double>(0.8, 0.6);
   return Ending::solved({.error = std::abs(std::complex<double>(to.r[0], -to.v[0] / omega) - exact),
                          .tolerance = tolerance,

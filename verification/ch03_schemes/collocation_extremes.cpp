@@ -5,11 +5,12 @@
 #include <string>
 
 #include <fmt/format.h>
-#include <Eigen/LU>
+#include <Eigen/Core>
 
 #include <ch01_fundamentals/motions.hpp>
 #include <ch01_fundamentals/starts.hpp>
 #include <harness/case.hpp>
+#include <harness/linear_algebra.hpp>
 #include <particulate/schemes/collocation.hpp>
 #include <particulate/schemes/error_control.hpp>
 
@@ -29,8 +30,8 @@ ErrorControl usual() { return {.TOL = 1e-9, .sweep_TOL = 1e-11, .step = 0.01, .l
 // Particles in free flight, under a near field of these strengths.
 Ending flight(const kinematics::Particles& particles, double alpha, ErrorControl control) {
   NearFieldScene scene(particles, {}, {.alpha1 = alpha, .alpha2 = 0.5 * alpha});
-  const Motion start = scenes::start(scene);
-  Motion state = start;
+  const State start = scenes::start(scene);
+  State state = start;
   FixedPoint scheme;
   const Outcome out = integrate(scene, state, 2.0, scheme, control);
   if (out.status != Status::reached) return Ending::refused(out.reason);
@@ -79,7 +80,7 @@ struct Breaking {
 
 Ending break_spring(bool says_so, double t_end) {
   Breaking problem{.says_so = says_so};
-  Motion state = motion(1.0, 0.0);
+  State state = motion(1.0, 0.0);
   FixedPoint scheme;
   ErrorControl control = usual();
   control.smallest = 1e-9;
@@ -102,13 +103,11 @@ void compare_missing_values(Rows& rows) {
 // What one step of a method makes of a spring: R(z) at z = i omega dt, by the determinants of its definition.
 template <class Nodes>
 std::complex<double> stability(double x) {
-  const CollocationTable<Nodes>& table = CollocationTable<Nodes>::get();
-  using Matrix = Eigen::Matrix<std::complex<double>, Nodes::stages, Nodes::stages>;
+  const CollocationTable& table = table_of<Nodes>();
   const std::complex<double> z(0.0, x);
-  const Matrix I = Matrix::Identity();
-  const Matrix zA = z * table.A.template cast<std::complex<double>>();
-  const Matrix ones_b = z * Matrix::Ones() * Matrix(table.b.template cast<std::complex<double>>().asDiagonal());
-  return (I - zA + ones_b).determinant() / (I - zA).determinant();
+  const Eigen::MatrixXcd system = Eigen::MatrixXcd::Identity(Nodes::stages, Nodes::stages) - z * table.A;
+  const Eigen::MatrixXcd ones_b = z * table.b.transpose().template replicate<Nodes::stages, 1>();
+  return determinant(system + ones_b) / determinant(system);
 }
 
 constexpr double omega = 8.0, x = 1e3;
@@ -125,7 +124,7 @@ struct StiffSpring {
 
 // Twenty steps of at most nine sweeps: Newton needs two, and what diverges must not reach infinity.
 template <class S>
-Outcome twenty_steps(S scheme, Values& state) {
+Outcome twenty_steps(S scheme, State& state) {
   StiffSpring problem;
   FixedStep control{.step = x / omega, .contractions = 8};
   return integrate(problem, state, static_cast<double>(few) * x / omega, scheme, control);
@@ -134,7 +133,7 @@ Outcome twenty_steps(S scheme, Values& state) {
 // The largest relative error against R^n y.
 template <class Nodes>
 Ending stiff_by_newton() {
-  Values state{.t = 0.0, .y = Eigen::Vector2d{0.6, -0.8}};
+  State state{.t = 0.0, .y = Eigen::Vector2d{0.6, -0.8}};
   const Outcome out = twenty_steps(Collocation<Nodes, Newton<>>({.sizes = Eigen::Vector2d{1e-30, 1e-30}}), state);
   if (out.status != Status::reached) return Ending::refused(out.reason);
   // y1 - i y2 turns by R at i x.
@@ -161,7 +160,7 @@ void compare_stiff(Rows& rows) {
                                           .tolerance = relative(1e-13),
                                           .because = "the rational function by hand, some roundings"});
   rows.must_be_refused("omega dt = 1000 by fixed point, Gauss 4", "diverge Dt", [] {
-    Values state{.t = 0.0, .y = Eigen::Vector2d{0.6, -0.8}};
+    State state{.t = 0.0, .y = Eigen::Vector2d{0.6, -0.8}};
     return ending_of(twenty_steps(FixedPoint(), state));
   });
 }
@@ -170,11 +169,11 @@ void compare_stiff(Rows& rows) {
 template <class S>
 Ending robertson(S scheme) {
   Robertson problem;
-  Values state = Robertson::start();
+  State state = Robertson::start();
   ErrorControl control{
       .TOL = 1e-8, .sweep_TOL = 1e-10, .K_d = 3, .step = 1e-6, .limit = 1e3, .smallest = 1e-8, .growth = 8.0};
   long left = 20000;
-  const auto watch = [&left](const Values&, const Values&, double, const S&) { return --left > 0; };
+  const auto watch = [&left](const State&, const State&, double, const S&) { return --left > 0; };
   const Outcome out = integrate(problem, state, 1e4, scheme, control, watch);
   if (out.status != Status::reached) return Ending::refused(out.reason);
   // The sum stays 1; y2 follows y1 and y3 on the slow curve 3e7 y2^2 + 1e4 y2 y3 = 0.04 y1.

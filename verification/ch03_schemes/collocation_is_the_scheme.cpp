@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <string>
-#include <type_traits>
 
 #include <fmt/format.h>
 
@@ -12,10 +11,10 @@
 #include <particulate/schemes/collocation.hpp>
 #include <particulate/schemes/phi_control.hpp>
 #include <particulate/schemes/phi_family.hpp>
+#include <particulate/schemes/sweeps.hpp>
 
 #include "bits.hpp"
 #include "linear_problems.hpp"
-#include "sweeping.hpp"
 
 namespace verification::collocation_is_the_scheme {
 
@@ -36,11 +35,10 @@ long differing(const Iteration& one, const Iteration& other) {
 std::string counts(const Outcome& one) { return fmt::format("{} {} {}", one.steps, one.rejections, one.sweeps); }
 
 // Iterate by iterate, with the error measure of every sweep.
-template <class P, class State>
-void compare_sweeps(Rows& rows, const std::string& which, const P& problem, const State& start, double dt) {
+void compare_sweeps(Rows& rows, const std::string& which, const Problem& problem, const State& start, double dt) {
   constexpr int sweeps = 8;
-  const Swept<State> book = sweep(BackwardEuler{}, problem, start, dt, sweeps);
-  const Swept<State> family = sweep(one_stage(), problem, start, dt, sweeps);
+  const Sweeps book = sweep_by_hand(BackwardEuler{}, problem, start, dt, sweeps);
+  const Sweeps family = sweep_by_hand(one_stage(), problem, start, dt, sweeps);
   long iterates = 0, iterations = 0;
   for (std::size_t k = 0; k < book.iterates.size(); ++k) {
     iterates += verification::differing(book.iterates[k], family.iterates.at(k));
@@ -59,8 +57,7 @@ void compare_sweeps(Rows& rows, const std::string& which, const P& problem, cons
 }
 
 // Whole runs under the monograph's controller.
-template <class P, class State>
-void compare_runs(Rows& rows, const std::string& which, P& problem, const State& start, double t_end,
+void compare_runs(Rows& rows, const std::string& which, const Problem& problem, const State& start, double t_end,
                   const PhiControl& control) {
   State by_book = start, by_family = start;
   BackwardEuler book;
@@ -78,7 +75,7 @@ void compare_runs(Rows& rows, const std::string& which, P& problem, const State&
   rows.equal(which + ": steps, refusals, sweeps",
              {.expected = counts(first), .computed = counts(second), .because = "the same decisions"});
   // On values the family estimates the error of its steps with a right-hand side more for some of them.
-  if constexpr (std::is_same_v<State, Motion>) {
+  if (problem.traits().motion) {
     rows.equal(which + ": right-hand sides",
                {.expected = first.evaluations, .computed = second.evaluations, .because = "one a sweep"});
   }
@@ -96,17 +93,18 @@ const Case collocation_is_the_scheme{
     [](Rows& rows) {
       NearFieldScene cloud(random_cloud({.N = 8}, rows.case_seed()), {}, {.alpha1 = 0.5, .alpha2 = 0.25});
       compare_sweeps(rows, "near field", cloud, scenes::start(cloud), 0.2);
-      compare_sweeps(rows, "drag, a force by velocity", Drag{.c = 2.0}, motion(0.3, 1.7), 0.2);
-      compare_sweeps(rows, "drag, as a problem of first order", Drag{.c = 2.0},
-                     Values{.t = 0.5, .y = Eigen::Vector3d{1.0, -0.3, 2.0}}, 0.2);
+      const Drag drag{.c = 2.0};
+      const DragRate rate{.c = 2.0};
+      compare_sweeps(rows, "drag, a force by velocity", drag, motion(0.3, 1.7), 0.2);
+      compare_sweeps(rows, "drag, as a problem of first order", rate,
+                     State{.t = 0.5, .y = Eigen::Vector3d{1.0, -0.3, 2.0}}, 0.2);
 
       NearFieldScene pair(pair_at_rest(1.0, 1.0, 1.0), {}, {.alpha1 = 1.0, .alpha2 = 0.1, .beta1 = 2.0, .beta2 = 3.0});
       compare_runs(rows, "near field", pair, scenes::start(pair), 1.5,
                    {.TOL = 1e-8, .K_d = 3, .step = 0.05, .limit = 0.05, .growth = 4.0});
-      Drag drag{.c = 2.0};
       compare_runs(rows, "drag, a force by velocity", drag, motion(0.3, 1.7), 2.0,
                    {.TOL = 1e-8, .K_d = 4, .step = 0.4, .limit = 0.4});
-      compare_runs(rows, "drag, as a problem of first order", drag, Values{.t = 0.0, .y = Eigen::Vector2d{1.0, -0.3}},
+      compare_runs(rows, "drag, as a problem of first order", rate, State{.t = 0.0, .y = Eigen::Vector2d{1.0, -0.3}},
                    2.0, {.TOL = 1e-8, .K_d = 4, .step = 0.4, .limit = 0.4});
     }};
 

@@ -6,9 +6,10 @@
 #include <string>
 
 #include <fmt/format.h>
-#include <Eigen/LU>
+#include <Eigen/Core>
 
 #include <harness/case.hpp>
+#include <harness/linear_algebra.hpp>
 #include <particulate/schemes/collocation.hpp>
 
 #include "linear_problems.hpp"
@@ -39,8 +40,8 @@ struct Turning {
 
 // To rounding, by hand.
 template <class S>
-Complex one_step(S scheme, const Turning& problem, const Values& from) {
-  Values to = from;
+Complex one_step(S scheme, const Turning& problem, const State& from) {
+  State to = from;
   if (!scheme.predict(problem, from, dt, to)) throw std::runtime_error("a linear problem has a value everywhere");
   Iteration it;
   do { it = scheme.sweep(problem, from, dt, to); } while (it.evaluated && !at_rounding(it) && it.K < 100);
@@ -52,17 +53,17 @@ Complex one_step(S scheme, const Turning& problem, const Values& from) {
 template <class Nodes>
 Complex measured(Complex z) {
   const Turning problem{.lambda = z / dt};
-  const Values from{.t = 0.0, .y = Eigen::Vector2d{1.0, 0.0}};
+  const State from{.t = 0.0, .y = Eigen::Vector2d{1.0, 0.0}};
   return one_step(Collocation<Nodes, Newton<>>(), problem, from);
 }
 
 // The end of a step is 1 + sum_j b_j h k_j, where h k solves (I - z A) h k = z: what rounding leaves of the sum.
 template <class Nodes>
 double rounding(Complex z) {
-  const CollocationCoefficients of = collocation_coefficients(Nodes::nodes());
+  const CollocationTable of = collocation_table(Nodes::nodes());
   const Eigen::MatrixXcd system = Eigen::MatrixXcd::Identity(Nodes::stages, Nodes::stages) - z * of.A;
   const Eigen::VectorXcd terms =
-      of.b.cast<Complex>().cwiseProduct(system.partialPivLu().solve(Eigen::VectorXcd::Constant(Nodes::stages, z)));
+      of.b.cast<Complex>().cwiseProduct(solve(system, Eigen::VectorXcd::Constant(Nodes::stages, z)));
   return eps * (1.0 + terms.cwiseAbs().sum());
 }
 

@@ -68,7 +68,7 @@ double error_of_motion(double TOL) {
   kinematics::set_vector(start.velocity, 0, -0.5 * l_z * across);
   kinematics::set_vector(start.velocity, 1, 0.5 * l_z * across);
   NearFieldScene scene(start, {}, {.alpha1 = 1.0, .alpha2 = 0.25, .beta1 = 2.0, .beta2 = 3.0});
-  Motion state = scenes::start(scene);
+  State state = scenes::start(scene);
   Collocation<Nodes> scheme;
   ErrorControl control{.TOL = TOL, .sweep_TOL = 1e-2 * TOL, .step = 1e-2, .limit = t_end};
   require_reached(integrate(scene, state, t_end, scheme, control));
@@ -81,7 +81,7 @@ double error_of_motion(double TOL) {
 template <class Nodes>
 double error_of_reactions(double TOL) {
   Oregonator problem;
-  Values state = Oregonator::start();
+  State state = Oregonator::start();
   Collocation<Nodes, Newton<>> scheme;
   ErrorControl control{
       .TOL = TOL, .sweep_TOL = 1e-3 * TOL, .K_d = 3, .step = 1e-6, .limit = 360.0, .growth = 8.0, .worth = 1.2};
@@ -132,10 +132,10 @@ void compare_blind(Rows& rows, const std::string& method, double limit, const st
   for (int k = 0; k <= 10; ++k) {
     const double TOL = 1e-4 * std::pow(10.0, -0.5 * k);
     Oscillators one = oscillator(1.0);
-    Motion state = motion(1.0, 0.0);
+    State state = motion(1.0, 0.0);
     Collocation<Nodes> scheme;
     ErrorControl control{.TOL = TOL, .sweep_TOL = 1e-2 * TOL, .step = 1e-2, .limit = 100.0};
-    const auto watch = [&](const Motion& from, const Motion& to, double dt, Collocation<Nodes> made) {
+    const auto watch = [&](const State& from, const State& to, double dt, Collocation<Nodes> made) {
       const double estimate = made.truncation(one, from, dt, to).error;
       if (from.t > 1.0) least = std::min(least, estimate / TOL);
       keep_worst(worst, std::hypot(to.r[0] - std::cos(to.t), to.v[0] + std::sin(to.t)) / TOL);

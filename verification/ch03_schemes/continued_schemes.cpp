@@ -28,7 +28,7 @@ using namespace particulate;
 using namespace particulate::schemes;
 
 // A checkpoint: the three values that a run is made of.
-template <class State, class S, class C>
+template <class S, class C>
 struct Checkpoint {
   State state;
   S scheme;
@@ -36,8 +36,7 @@ struct Checkpoint {
   Outcome outcome = {};
 
   // Goes on to t_end, or until so many more steps are made.
-  template <class P>
-  void go_on(P& problem, double t_end, long steps = -1) {
+  void go_on(const Problem& problem, double t_end, long steps = -1) {
     const auto watch = [&steps](const State&, const State&, double, const S&) { return --steps != 0; };
     outcome = integrate(problem, state, t_end, scheme, control, watch);
     if (outcome.status == Status::failed) throw std::runtime_error(outcome.reason);
@@ -57,15 +56,15 @@ Outcome sum(const Outcome& one, const Outcome& other) {
 }
 
 // The original goes on after the checkpoint was taken, the checkpoint after it: neither may see the other.
-template <class P, class State, class S, class C>
-void compare(Rows& rows, const std::string& which, P& problem, const State& start, double t_end, const S& scheme,
-             const C& control) {
-  Checkpoint<State, S, C> whole{.state = start, .scheme = scheme, .control = control};
-  Checkpoint<State, S, C> parts = whole;
+template <class S, class C>
+void compare(Rows& rows, const std::string& which, const Problem& problem, const State& start, double t_end,
+             const S& scheme, const C& control) {
+  Checkpoint<S, C> whole{.state = start, .scheme = scheme, .control = control};
+  Checkpoint<S, C> parts = whole;
   whole.go_on(problem, t_end);
   parts.go_on(problem, t_end, whole.outcome.steps / 2);
   const Outcome first_half = parts.outcome;
-  Checkpoint<State, S, C> copy = parts;
+  Checkpoint<S, C> copy = parts;
   parts.go_on(problem, t_end);
   copy.go_on(problem, t_end);
 
@@ -88,7 +87,7 @@ void compare(Rows& rows, const std::string& which, P& problem, const State& star
 
 template <class S>
 void compare_near_field(Rows& rows, const std::string& method, NearFieldScene& scene, const S& scheme) {
-  const Motion start = scenes::start(scene);
+  const State start = scenes::start(scene);
   compare(rows, method + ", fixed step", scene, start, 1.4, scheme, FixedStep{.step = 1.0 / 64.0});
   compare(rows, method + ", Phi_K control", scene, start, 1.4, scheme,
           PhiControl{.TOL = 1e-10, .K_d = 4, .step = 0.05, .limit = 0.05});
@@ -96,7 +95,7 @@ void compare_near_field(Rows& rows, const std::string& method, NearFieldScene& s
 
 template <class Solver>
 void compare_collocation(Rows& rows, const std::string& solver, NearFieldScene& scene) {
-  const Motion start = scenes::start(scene);
+  const State start = scenes::start(scene);
   const Collocation<Gauss<4>, Solver> scheme({}, Solver());
   compare(rows, "Gauss 4, " + solver + ", fixed step", scene, start, 1.4, scheme, FixedStep{.step = 1.0 / 16.0});
   compare(rows, "Gauss 4, " + solver + ", error control", scene, start, 1.4, scheme,
@@ -117,7 +116,7 @@ void compare_staggered(Rows& rows, const std::string& method, Seen seen, const s
   const int p = seen == Seen::newest ? 2 : 1;
   const Staggered scheme({{.name = "first", .TOL = 1e-9, .p = p}, {.name = "second", .TOL = 1e-7, .p = p}}, seen,
                          relaxation);
-  const Values start{.t = 0.0, .y = Eigen::Vector2d{1.0, 0.7}};
+  const State start{.t = 0.0, .y = Eigen::Vector2d{1.0, 0.7}};
   compare(rows, method + ", fixed step", pair, start, 1.0, scheme, FixedStep{.step = 1.0 / 32.0});
   compare(rows, method + ", Phi_K control", pair, start, 8.0, scheme,
           PhiControl{.TOL = 1.0, .K_d = 5, .step = 0.4, .limit = 0.4});

@@ -23,14 +23,14 @@ using namespace particulate::schemes;
 constexpr double omega = 8.0;
 constexpr int plenty = 20000;  // contractions: 0.998^14000 = 1e-12
 
-const Motion start = motion(0.6, 3.2);
+const State start = motion(0.6, 3.2);
 
 // Three steps of a spring, or the reason why not; the answer against Cramer's rule.
 template <class S, class C>
 Ending spring(S scheme, C control, double phi, double t_end, double tolerance, const std::string& because) {
   Oscillators problem = oscillator(omega);
-  Motion state = start, exact = start;
-  const auto follow = [&](const Motion&, const Motion&, double dt, const S&) {
+  State state = start, exact = start;
+  const auto follow = [&](const State&, const State&, double dt, const S&) {
     exact = phi_step(phi, omega, dt, exact);
     return true;
   };
@@ -54,7 +54,7 @@ void compare_limit(Rows& rows, double phi, double limit) {
                        [=] { return at_fixed_step(phi, above); });
 
   Oscillators problem = oscillator(omega);
-  Motion state = start;
+  State state = start;
   BackwardEuler scheme(phi);
   FixedStep control{.step = above / omega, .TOL = 1e-6, .contractions = 100};
   const Outcome outcome = integrate(problem, state, 1.0, scheme, control);
@@ -69,7 +69,7 @@ void compare_limit(Rows& rows, double phi, double limit) {
                 .tolerance = relative(1e-12),
                 .because = "ratios of changes that grow, a few roundings each"});
   // The step whose sweeps take (phi omega dt)^(2 K) from w_0 to TOL; w_0 is that of the refused step.
-  const Motion flight = motion(start.r[0] + above / omega * start.v[0], start.v[0]);
+  const State flight = motion(start.r[0] + above / omega * start.v[0], start.v[0]);
   const double a_end = -omega * omega * flight.r[0], a_start = -omega * omega * start.r[0];
   const double kick = phi * std::pow(above / omega, 2) * (phi * a_end + (1.0 - phi) * a_start);
   const double w_0 = std::abs(kick) / std::abs(flight.r[0] + kick - start.r[0]);
@@ -103,10 +103,10 @@ const Case contraction_limit{
 // With r = 1, v = 0 Verlet's positions are cos(n theta), 2 cos(theta) = 2 - x^2; beyond x = 2 a growing cosh.
 double verlet(double x, long steps, double& largest) {
   Oscillators problem = oscillator(x * 64.0);
-  Motion state = motion(1.0, 0.0);
+  State state = motion(1.0, 0.0);
   VelocityVerlet scheme;
   FixedStep control{.step = 1.0 / 64.0};
-  const auto watch = [&](const Motion&, const Motion& to, double, const VelocityVerlet&) {
+  const auto watch = [&](const State&, const State& to, double, const VelocityVerlet&) {
     keep_worst(largest, std::abs(to.r[0]));
     return true;
   };
@@ -140,7 +140,7 @@ const Case verlet_limit{
 template <class C>
 Ending near_field(const kinematics::Particles& particles, C control, double t_end) {
   NearFieldScene scene(particles, {}, {.alpha1 = 0.5, .alpha2 = 0.25});
-  Motion state = scenes::start(scene);
+  State state = scenes::start(scene);
   BackwardEuler scheme;
   return ending_of(integrate(scene, state, t_end, scheme, control));
 }
@@ -174,7 +174,7 @@ void refuse(Rows& rows) {
   rows.must_be_refused("TOL = NaN", "TOL nan", [=] { return with_tolerance(missing); });
   const auto far_away = [](auto control) {
     FarSpring problem;
-    Motion state = motion(1e6, 3.2);
+    State state = motion(1e6, 3.2);
     BackwardEuler scheme;
     return ending_of(integrate(problem, state, 5.0, scheme, control));
   };
@@ -199,7 +199,7 @@ void refuse_near_fields(Rows& rows) {
                        [=] { return near_field(lost, FixedStep{.step = 0.1}, 1.0); });
   rows.must_be_refused("motion that starts at NaN", "positions must start finite nan", [] {
     Oscillators problem = oscillator(1.0);
-    Motion state = motion(missing, 0.0);
+    State state = motion(missing, 0.0);
     BackwardEuler scheme;
     PhiControl control{.step = 0.1, .limit = 0.1};
     return ending_of(integrate(problem, state, 1.0, scheme, control));
@@ -218,10 +218,10 @@ struct Draining {
 template <class C>
 Ending drain(C control) {
   Draining problem;
-  Values state{.t = 0.0, .y = Eigen::VectorXd::Ones(1)};
+  State state{.t = 0.0, .y = Eigen::VectorXd::Ones(1)};
   double exact = 1.0;
   BackwardEuler scheme;
-  const auto follow = [&](const Values&, const Values&, double dt, const BackwardEuler&) {
+  const auto follow = [&](const State&, const State&, double dt, const BackwardEuler&) {
     exact = std::pow((std::sqrt(dt * dt + 4.0 * exact) - dt) / 2.0, 2);
     return true;
   };
@@ -245,11 +245,11 @@ const Case extremes_of_sweeps{
       });
       rows.must_be_solved("first guess where particles coincide, Phi_K control", [] {
         NearFieldScene scene(meeting(), {}, {.alpha1 = 0.5, .alpha2 = 0.25});
-        Motion state = scenes::start(scene);
+        State state = scenes::start(scene);
         BackwardEuler scheme;
         PhiControl control{.TOL = 1e-12, .K_d = 20, .step = 1.0, .limit = 1.0};
         double worst = 0.0;
-        const auto check = [&](const Motion& from, const Motion& to, double dt, const BackwardEuler&) {
+        const auto check = [&](const State& from, const State& to, double dt, const BackwardEuler&) {
           keep_worst(worst, defect(scene, from, to, dt) / (to.r - from.r).lpNorm<Eigen::Infinity>());
           return true;
         };

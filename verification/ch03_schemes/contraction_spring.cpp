@@ -8,9 +8,9 @@
 
 #include <harness/case.hpp>
 #include <particulate/schemes/phi_family.hpp>
+#include <particulate/schemes/sweeps.hpp>
 
 #include "linear_problems.hpp"
-#include "sweeping.hpp"
 
 namespace verification::contraction_spring {
 
@@ -32,8 +32,7 @@ void keep_farthest(double& farthest, double expected, double ratio) {
   if (std::isnan(farthest) || std::abs(ratio - expected) > std::abs(farthest - expected)) farthest = ratio;
 }
 
-template <class State>
-Ratio ratio_of(const Swept<State>& swept, std::size_t stride, double expected) {
+Ratio ratio_of(const Sweeps& swept, std::size_t stride, double expected) {
   const std::vector<double> change = changes(swept.iterates);
   Ratio ratio{.expected = expected};
   for (std::size_t k = stride; k < change.size() && change[k] > above_rounding; ++k) {
@@ -58,7 +57,8 @@ constexpr double steps_over_limit[] = {0.2, 0.5, 0.9};
 // Positions alone are carried from sweep to sweep.
 void compare_positions(Rows& rows, double phi, double x, int& fewest) {
   const double omega = 20.0, dt = x / (phi * omega);
-  const auto swept = sweep(BackwardEuler(phi), oscillator(omega), motion(0.6, 0.4 / dt), dt, 40);
+  const Oscillators spring = oscillator(omega);
+  const Sweeps swept = sweep_by_hand(BackwardEuler(phi), spring, motion(0.6, 0.4 / dt), dt, 40);
   const Ratio ratio = ratio_of(swept, 1, x * x);
   const std::string which = fmt::format("factor of a sweep, phi = {}, phi omega Dt = {}", phi, x);
   write(rows, which, ratio, fewest);
@@ -66,23 +66,33 @@ void compare_positions(Rows& rows, double phi, double x, int& fewest) {
                {.expected = x * x, .computed = ratio.reported, .tolerance = relative(tolerance), .because = because});
 }
 
-// The same spring as y = (r, v): the velocity of the old sweep moves the position. The factor has two imaginary
+// A spring as y = (r, v).
+struct AsValues {
+  Oscillators spring;
+
+  bool rate(double t, In y, Out dy) const {
+    dy[0] = y[1];
+    return spring.acceleration(t, y.head(1), dy.tail(1));
+  }
+};
+
+// The velocity of the old sweep moves the position. The factor has two imaginary
 // eigenvalues, so that the changes go down by its square over two sweeps, and by no law in one.
 void compare_lagging(Rows& rows, double phi, double x, int& fewest) {
   const double omega = 20.0, dt = x / (phi * omega);
-  Oscillators spring = oscillator(omega);
-  const Values start{.t = 0.0, .y = Eigen::Vector2d(0.6, 0.4 * omega)};
-  const auto swept = sweep(BackwardEuler(phi), FirstOrderForm<Oscillators>{spring}, start, dt, 40);
+  const AsValues spring{.spring = oscillator(omega)};
+  const State start{.t = 0.0, .y = Eigen::Vector2d(0.6, 0.4 * omega)};
+  const Sweeps swept = sweep_by_hand(BackwardEuler(phi), spring, start, dt, 40);
   write(rows, fmt::format("factor of a sweep if velocities lag, phi = {}, phi omega Dt = {}", phi, x),
         ratio_of(swept, 2, x), fewest);
 }
 
 void compare_drag(Rows& rows, double phi, double z, int& fewest) {
-  const Drag drag{.c = 4.0, .m = 2.0};
+  const DragRate drag{.c = 4.0, .m = 2.0};
   const double dt = z / (phi * 2.0);
-  const Values start{.t = 0.0, .y = Eigen::VectorXd::Constant(1, 0.8)};
+  const State start{.t = 0.0, .y = Eigen::VectorXd::Constant(1, 0.8)};
   write(rows, fmt::format("factor of a sweep on drag, phi = {}, phi c Dt/m = {}", phi, z),
-        ratio_of(sweep(BackwardEuler(phi), drag, start, dt, 40), 1, z), fewest);
+        ratio_of(sweep_by_hand(BackwardEuler(phi), drag, start, dt, 40), 1, z), fewest);
 }
 
 const Case contraction_spring{
@@ -114,9 +124,9 @@ const Case contraction_many{
       const double dt = 0.01;
       const Eigen::Vector3d x{0.3, 0.9, 0.1};
       const Oscillators springs{.omega = x / dt};
-      const Motion start{.t = 0.0, .r = Eigen::Vector3d{0.5, 0.2, 0.7}, .v = Eigen::Vector3d::Zero()};
+      const State start{.t = 0.0, .r = Eigen::Vector3d{0.5, 0.2, 0.7}, .v = Eigen::Vector3d::Zero()};
       for (const double phi : phis) {
-        const auto swept = sweep(BackwardEuler(phi), springs, start, dt, 12);
+        const auto swept = sweep_by_hand(BackwardEuler(phi), springs, start, dt, 12);
         const std::vector<double> change = changes(swept.iterates);
         const double slowest = std::pow(phi * 0.9, 2);
         const std::size_t last = phi == 1.0 ? 11 : 7;
@@ -126,7 +136,7 @@ const Case contraction_many{
                       .tolerance = relative(1e-5),
                       .because = "after seven sweeps the next spring is down to 9^-7 = 2e-7 of the slowest, and "
                                  "changes are above 1e-10"});
-        const std::vector<double> one = changes(sweep(BackwardEuler(phi), springs, start, dt, 2).iterates);
+        const std::vector<double> one = changes(sweep_by_hand(BackwardEuler(phi), springs, start, dt, 2).iterates);
         rows.at_most(fmt::format("first factor over the slowest's, phi = {}", phi),
                      {.limit = 0.9,
                       .computed = one[1] / one[0] / slowest,

@@ -34,8 +34,8 @@ NearFieldScene triangle() {
 
 // Turning as it breathes. A pair alone has an energy of -alpha1^2/(2 alpha2) = -1 J at least; with less than that in
 // all no body can leave, and none comes nearer to another than 0.22 m.
-Motion turning(const NearFieldScene& scene, double spin) {
-  Motion start = scenes::start(scene);
+State turning(const NearFieldScene& scene, double spin) {
+  State start = scenes::start(scene);
   const Eigen::Index n = 3;
   start.v.head(n) = -spin * start.r.segment(n, n);
   start.v.segment(n, n) = spin * start.r.head(n);
@@ -46,7 +46,7 @@ Motion turning(const NearFieldScene& scene, double spin) {
 struct Kept {
   long double energy = 0.0L, spin = 0.0L;
 };
-Kept kept(const Motion& at) {
+Kept kept(const State& at) {
   Kept sum;
   const auto r = [&](Eigen::Index i, Eigen::Index axis) -> long double { return at.r[3 * axis + i]; };
   const auto v = [&](Eigen::Index i, Eigen::Index axis) -> long double { return at.v[3 * axis + i]; };
@@ -88,7 +88,7 @@ double growth(const std::vector<Drift>& several, std::vector<double> Drift::*whi
 
 // `advance(state, t)` moves the state on and returns an Outcome.
 template <class Advance>
-Drift drift_of(Motion state, double t_end, const Advance& advance) {
+Drift drift_of(State state, double t_end, const Advance& advance) {
   Drift seen;
   const Kept before = kept(state);
   for (int k = 1; k <= samples; ++k) {
@@ -107,15 +107,15 @@ template <class S, class C>
 Drift by_scheme(double spin, double t_end, S scheme, C control) {
   NearFieldScene scene = triangle();
   return drift_of(turning(scene, spin), t_end,
-                  [&](Motion& state, double t) { return integrate(scene, state, t, scheme, control); });
+                  [&](State& state, double t) { return integrate(scene, state, t, scheme, control); });
 }
 
 Drift by_cvode(double spin, double t_end, double tolerance) {
   NearFieldScene scene = triangle();
-  const Motion start = turning(scene, spin);
+  const State start = turning(scene, spin);
   reference::Integrator adams(scene, start,
                               reference::Adams{.relative = tolerance, .absolute = tolerance, .max_steps = 100'000'000});
-  return drift_of(start, t_end, [&](Motion& state, double t) { return adams.advance(state, t); });
+  return drift_of(start, t_end, [&](State& state, double t) { return adams.advance(state, t); });
 }
 
 // All of them over the same time, at the cost of Gauss 6 with sweeps to rounding; but CVODE's tightest tolerance costs

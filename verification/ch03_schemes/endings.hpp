@@ -17,11 +17,11 @@ inline Ending ending_of(const particulate::schemes::Outcome& outcome) {
 }
 
 /// How far a step is from the equation of backward Euler, \f$ r' = r + \Delta t\,v + \Delta t^2 a(r') \f$.
-template <class P>
-double defect(P& problem, const particulate::schemes::State& from, const particulate::schemes::State& to, double dt) {
-  Eigen::VectorXd a(to.r.size());
-  if (!problem.acceleration(to.t, to.r, a)) return missing;
-  const Eigen::VectorXd residual = to.r - from.r - dt * from.v - dt * dt * a;
+inline double defect(const particulate::schemes::Problem& problem, const particulate::schemes::State& from,
+                     const particulate::schemes::State& to, double dt) {
+  particulate::schemes::Rates rates;
+  if (!problem.rates(to, rates)) return missing;
+  const Eigen::VectorXd residual = to.r - from.r - dt * from.v - dt * dt * rates.a;
   return residual.lpNorm<Eigen::Infinity>();
 }
 

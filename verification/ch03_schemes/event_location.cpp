@@ -47,7 +47,7 @@ Run spring_until(double t_end, double step, const Events& events) {
 }
 
 Events level(double of, Direction direction, schemes::Action action = schemes::Action::record) {
-  return {.functions = [of](double, schemes::In y, schemes::Out g) { g[0] = y[0] - of; },
+  return {.functions = [of](const schemes::State& at, schemes::Out g) { g[0] = at.r[0] - of; },
           .directions = {direction},
           .actions = {action}};
 }
@@ -88,7 +88,8 @@ void directions(Rows& rows) {
 
 // Three functions, of which two have a zero in common; the third's come between, several in each long step.
 Events three_functions() {
-  return {.functions = [](double, schemes::In y, schemes::Out g) { g << y[0] - 0.3, 0.6 - 2.0 * y[0], y[1] + 0.7; },
+  return {.functions = [](const schemes::State& at,
+                          schemes::Out g) { g << at.r[0] - 0.3, 0.6 - 2.0 * at.r[0], at.v[0] + 0.7; },
           .directions = {Direction::either, Direction::rising, Direction::either},
           .names = {"place", "twin", "speed"},
           .actions = std::vector(3, schemes::Action::record)};
@@ -139,7 +140,7 @@ void against_cvode(Rows& rows) {
 }
 
 void at_the_ends(Rows& rows) {
-  Events moving{.functions = [](double, schemes::In y, schemes::Out g) { g << y[0] - 1.0 + 1e-3, y[1]; },
+  Events moving{.functions = [](const schemes::State& at, schemes::Out g) { g << at.r[0] - 1.0 + 1e-3, at.v[0]; },
                 .directions = {Direction::either, Direction::either},
                 .actions = std::vector(2, schemes::Action::record)};
   const Run started = spring_until<6>(10.0, 0.3, moving);

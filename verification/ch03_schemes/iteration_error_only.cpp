@@ -10,9 +10,9 @@
 #include <harness/case.hpp>
 #include <particulate/schemes/phi_control.hpp>
 #include <particulate/schemes/phi_family.hpp>
+#include <particulate/schemes/sweeps.hpp>
 
 #include "linear_problems.hpp"
-#include "sweeping.hpp"
 
 namespace verification::iteration_error_only {
 
@@ -42,7 +42,7 @@ struct Honest {
 void validate(const Honest& honest) { validate(honest.control); }
 
 struct Answer {
-  Motion state;
+  State state;
   double error = 0.0;  // of positions, over the farthest
   double worst_w = 0.0;
 };
@@ -61,7 +61,7 @@ Answer solve(double TOL, double limit) {
 }
 
 // How far particles moved from one state to another, each by itself, then summed.
-double moved(const Motion& from, const Motion& to) {
+double moved(const State& from, const State& to) {
   double sum = 0.0;
   for (Eigen::Index i = 0; i < from.r.size() / 3; ++i) {
     sum += (rows_of(to.r).row(i) - rows_of(from.r).row(i)).norm();
@@ -73,9 +73,9 @@ double moved(const Motion& from, const Motion& to) {
 void compare_measure(Rows& rows) {
   const NearFieldScene scene(random_cloud({.N = 5}, smooth), {},
                              {.alpha1 = 1.0, .alpha2 = 0.5, .beta1 = 2.0, .beta2 = 3.0});
-  const Motion from = scenes::start(scene);
-  const auto swept = sweep(BackwardEuler{}, scene, from, 1e-2, 3);
-  const std::vector<Motion>& at = swept.iterates;
+  const State from = scenes::start(scene);
+  const auto swept = sweep_by_hand(BackwardEuler{}, scene, from, 1e-2, 3);
+  const std::vector<State>& at = swept.iterates;
   const double displacement = moved(from, at[1]);
   for (std::size_t k = 0; k < 3; ++k) {
     rows.compare(fmt::format("w_{} of five particles", k),
@@ -127,13 +127,13 @@ void compare_tolerances(Rows& rows) {
   constexpr double step = 5e-3;
   NearFieldScene scene = breathing();
   const auto run = [&](const FixedStep& settings) {
-    Motion state = scenes::start(scene);
+    State state = scenes::start(scene);
     BackwardEuler scheme;
     FixedStep control = settings;
     require_reached(integrate(scene, state, t_end, scheme, control));
     return state;
   };
-  const Motion settled = run({.step = step});
+  const State settled = run({.step = step});
   std::vector<double> tolerances, errors;
   for (double TOL = 1e-2; tolerances.size() < 11; TOL /= std::sqrt(10.0)) {
     tolerances.push_back(TOL);

@@ -19,6 +19,8 @@ namespace verification {
 /// velocities follow without a difference of places.
 struct KinsolEuler {
   static constexpr int order = 1;  ///< of the global error [-]
+  /// @param of  what a problem has @return whether that is forces of positions alone
+  static constexpr bool advances(const schemes::Traits& of) { return of.motion && !of.velocities && !of.values; }
 
   double tolerance;     ///< on the last change of any acceleration, > 0 [m/s^2]
   std::string unmet{};  ///< KINSOL's reason for not having solved a step
@@ -30,12 +32,12 @@ struct KinsolEuler {
   /// @param dt       step [s]
   /// @param to       receives the state at its end
   /// @return whether KINSOL solved it; else unmet says why not
-  template <class P>
-  bool predict(P& problem, const schemes::State& from, double dt, schemes::State& to) {
+  bool predict(const schemes::Problem& problem, const schemes::State& from, double dt, schemes::State& to) {
     const Eigen::VectorXd flight = from.r + dt * from.v;
     const particulate::reference::Map map = [&](schemes::In a, schemes::Out g) {
       const Eigen::VectorXd place = flight + dt * dt * a;
-      return problem.acceleration(from.t + dt, place, g);
+      return problem.rates(schemes::Where{from.t + dt, view(place), view(from.v), view(from.y)},
+                           schemes::Answers{{g.data(), g.size()}, {nullptr, 0}});
     };
     Eigen::VectorXd a = Eigen::VectorXd::Zero(from.r.size());
     const particulate::reference::FixedPoint point = particulate::reference::solve_fixed_point(
@@ -48,6 +50,9 @@ struct KinsolEuler {
   }
   void accept(double) {}  ///< Keeps nothing: a one-step method.
   void forget() {}        ///< Has nothing to forget.
+
+ private:
+  static Eigen::Map<const Eigen::VectorXd> view(const Eigen::VectorXd& x) { return {x.data(), x.size()}; }
 };
 
 /// KinsolEuler at fixed steps, for competitor().
@@ -55,9 +60,9 @@ struct KinsolEuler {
 /// @param speed  of the motion, which makes a tolerance on displacements one on accelerations [m/s]
 /// @param TOL    on the sweeps, from the step
 /// @return begin(problem, start, step)
-inline auto by_kinsol(double speed, SweepTolerance TOL) {
-  return [=](auto& problem, const schemes::State&, double step) {
-    return [&problem, scheme = KinsolEuler{.tolerance = TOL(step) * speed / step},
+inline Begin by_kinsol(double speed, SweepTolerance TOL) {
+  return [speed, TOL](const schemes::Problem& problem, const schemes::State&, double step) -> Advance {
+    return [problem, scheme = KinsolEuler{.tolerance = TOL(step) * speed / step},
             control = schemes::FixedStep{.step = step}](schemes::State& state, double t_end) mutable {
       schemes::Outcome out = schemes::integrate(problem, state, t_end, scheme, control);
       if (!scheme.unmet.empty()) out.reason = scheme.unmet;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include <Eigen/Core>
 
@@ -19,17 +20,24 @@ inline void keep_worst(double& worst, double deviation) {
   if (!std::isnan(worst) && !(deviation <= worst)) worst = deviation;
 }
 
-/// Linear drag, \f$ m \dot v = -c v \f$, as a problem of first order for v and of second order for r.
+/// Linear drag, \f$ m \dot v = -c v \f$, as a force.
 struct Drag {
+  double c = 1.0;  ///< [kg/s]
+  double m = 1.0;  ///< [kg]
+
+  bool acceleration(double, particulate::schemes::In, particulate::schemes::In v, particulate::schemes::Out a) const {
+    a = -(c / m) * v;
+    return true;
+  }
+};
+
+/// The same as a problem of first order for v.
+struct DragRate {
   double c = 1.0;  ///< [kg/s]
   double m = 1.0;  ///< [kg]
 
   bool rate(double, particulate::schemes::In v, particulate::schemes::Out dv) const {
     dv = -(c / m) * v;
-    return true;
-  }
-  bool acceleration(double, particulate::schemes::In, particulate::schemes::In v, particulate::schemes::Out a) const {
-    a = -(c / m) * v;
     return true;
   }
 };
@@ -47,6 +55,19 @@ struct Oscillators {
 /// One oscillator.
 inline Oscillators oscillator(double omega) { return {.omega = Eigen::VectorXd::Constant(1, omega)}; }
 
+/// Sums of absolute changes of places from iterate to iterate, or of values where there are no places, over no
+/// denominator.
+inline std::vector<double> changes(const std::vector<particulate::schemes::State>& iterates) {
+  const auto unknowns = [](const particulate::schemes::State& at) -> const Eigen::VectorXd& {
+    return at.r.size() > 0 ? at.r : at.y;
+  };
+  std::vector<double> of;
+  for (std::size_t k = 1; k < iterates.size(); ++k) {
+    of.push_back((unknowns(iterates[k]) - unknowns(iterates[k - 1])).lpNorm<1>());
+  }
+  return of;
+}
+
 /// The start of one oscillator.
 inline particulate::schemes::State motion(double r, double v) {
   return {.t = 0.0, .r = Eigen::VectorXd::Constant(1, r), .v = Eigen::VectorXd::Constant(1, v)};
@@ -62,7 +83,7 @@ inline double energy(double omega, const particulate::schemes::State& at) {
 /// With \f$ r_e = r + (1 - \phi)\Delta t\,v \f$ and \f$ v_e = v - (1 - \phi)\Delta t\,\omega^2 r \f$ it asks for
 /// \f$ r' - \phi\Delta t\,v' = r_e,\ \phi\Delta t\,\omega^2 r' + v' = v_e \f$.
 inline particulate::schemes::State phi_step(double phi, double omega, double dt,
-                                             const particulate::schemes::State& from) {
+                                            const particulate::schemes::State& from) {
   const double explicit_share = (1.0 - phi) * dt, implicit_share = phi * dt, stiffness = omega * omega;
   const double r_e = from.r[0] + explicit_share * from.v[0];
   const double v_e = from.v[0] - explicit_share * stiffness * from.r[0];

@@ -80,12 +80,11 @@ Motions by_roots(const kinematics::Particles& bodies, double t_end, double toler
     for (Eigen::Index j = i + 1; j < bodies.size(); ++j) pairs.push_back({i, j});
   }
   const reference::Events events{.functions =
-                                     [&](double, schemes::In y, schemes::Out g) {
-                                       const Eigen::VectorXd r = y.head(y.size() / 2);
+                                     [&](const schemes::State& at, schemes::Out g) {
                                        for (std::size_t k = 0; k < pairs.size(); ++k) {
                                          const auto& [i, j] = pairs[k];
-                                         g[static_cast<Eigen::Index>(k)] =
-                                             (row_of(r, j) - row_of(r, i)).norm() - bodies.radius[i] - bodies.radius[j];
+                                         g[static_cast<Eigen::Index>(k)] = (row_of(at.r, j) - row_of(at.r, i)).norm() -
+                                                                           bodies.radius[i] - bodies.radius[j];
                                        }
                                      },
                                  .directions = std::vector(pairs.size(), reference::Direction::falling)};

@@ -10,8 +10,8 @@
 #include <ch02_contact/bouncing.hpp>
 #include <harness/case.hpp>
 #include <particulate/contact/located_contact.hpp>
-#include <particulate/laws/near_field.hpp>
 #include <particulate/kinematics/breathing.hpp>
+#include <particulate/laws/near_field.hpp>
 #include <particulate/schemes/collocation.hpp>
 #include <particulate/schemes/fixed_step.hpp>
 #include <particulate/schemes/integrate.hpp>

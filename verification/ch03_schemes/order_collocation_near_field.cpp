@@ -19,7 +19,7 @@ struct CirclingPair {
   NearFieldScene scene{pair_at_rest(1.0, 1.0, 1.0), {}, {.alpha1 = 1.0, .alpha2 = alpha2, .beta1 = 2.0, .beta2 = 3.0}};
   double omega = std::sqrt(2.0 - 2.0 * alpha2);
 
-  bool acceleration(double t, schemes::In r, schemes::Out a) { return scene.acceleration(t, r, a); }
+  bool acceleration(double t, schemes::In r, schemes::Out a) const { return scene.acceleration(t, r, a); }
   double distance(schemes::In x, schemes::In y) const { return scene.distance(x, y); }
   schemes::State exact(double t) const {
     const Eigen::Vector3d r = std::cos(omega * t) * slanted() + std::sin(omega * t) * across;

@@ -23,7 +23,7 @@ struct DrivenOrbit {
     dy[3] = -pull * y[1] - q * std::sin(t);
     return true;
   }
-  Values exact(double t) const {
+  State exact(double t) const {
     return {.t = t, .y = Eigen::Vector4d{std::cos(t), std::sin(t), -std::sin(t), std::cos(t)}};
   }
 };

@@ -20,7 +20,7 @@ struct ChargeInField {
     a = -(1.0 - q) / (d * d * d) * r + q / (d * d) * Eigen::Vector2d{-v[1], v[0]};
     return true;
   }
-  Motion exact(double t) const {
+  State exact(double t) const {
     return {.t = t, .r = Eigen::Vector2d{std::cos(t), std::sin(t)}, .v = Eigen::Vector2d{-std::sin(t), std::cos(t)}};
   }
 };

@@ -36,16 +36,15 @@ struct ForcedBell {
   }
 };
 
-const Eigen::VectorXd& unknowns(const Values& state) { return state.y; }
-const Eigen::VectorXd& unknowns(const Motion& state) { return state.r; }
+const Eigen::VectorXd& unknowns(const State& state) { return state.y.size() > 0 ? state.y : state.r; }
 
 // Errors at the end of five refinements by 3/2.
 struct Errors {
   std::vector<double> steps, errors;
 };
 
-template <class S, class P, class State>
-Errors refine(P problem, const State& start, const Eigen::VectorXd& exact, double t_end, long coarsest,
+template <class S>
+Errors refine(const Problem& problem, const State& start, const Eigen::VectorXd& exact, double t_end, long coarsest,
               const S& scheme) {
   Errors found;
   for (long n = coarsest; found.steps.size() < 5; n = n * 3 / 2) {
@@ -59,9 +58,9 @@ Errors refine(P problem, const State& start, const Eigen::VectorXd& exact, doubl
   return found;
 }
 
-template <class P, class State, class S>
-void compare_bell(Rows& rows, const std::string& method, P problem, const State& start, double order, long coarsest,
-                  const S& scheme) {
+template <class S>
+void compare_bell(Rows& rows, const std::string& method, const Problem& problem, const State& start, double order,
+                  long coarsest, const S& scheme) {
   constexpr double t_end = 1.7;
   const Eigen::VectorXd exact = Eigen::VectorXd::Constant(1, 1.0 / (1.0 + t_end * t_end));
   const Errors found = refine(problem, start, exact, t_end, coarsest, scheme);
@@ -79,8 +78,9 @@ const Case order_values{{.name = "order_values",
                         [](Rows& rows) {
                           const auto compare = [&](const char* method, double order, long coarsest,
                                                    const auto& scheme) {
-                            const Values start{.t = 0.0, .y = Eigen::VectorXd::Ones(1)};
-                            compare_bell(rows, method, Bell{}, start, order, coarsest, scheme);
+                            const Bell bell;
+                            const State start{.t = 0.0, .y = Eigen::VectorXd::Ones(1)};
+                            compare_bell(rows, method, bell, start, order, coarsest, scheme);
                           };
                           compare("forward Euler", 1.0, 200, ForwardEuler{});
                           compare("backward Euler", 1.0, 200, BackwardEuler{});
@@ -98,7 +98,8 @@ const Case order_forced{
      .reference = Reference::convergence},
     [](Rows& rows) {
       const auto compare = [&](const char* method, double order, long coarsest, const auto& scheme) {
-        compare_bell(rows, method, ForcedBell{}, motion(1.0, 0.0), order, coarsest, scheme);
+        const ForcedBell bell;
+        compare_bell(rows, method, bell, motion(1.0, 0.0), order, coarsest, scheme);
       };
       compare("forward Euler", 1.0, 4000, ForwardEuler{});
       compare("backward Euler", 1.0, 4000, BackwardEuler{});
@@ -141,12 +142,11 @@ void compare_staggered(Rows& rows, const std::string& how, Seen seen, const std:
   FirstOrderPair first;
   first.a << 1.0, 3.0, -2.0, 0.5;
   const Eigen::Vector2d two{1.0, 0.7};
-  write("first-order pair",
-        refine(first, Values{.t = 0.0, .y = two}, decayed(first.a, t_end, two), t_end, 400, scheme));
+  write("first-order pair", refine(first, State{.t = 0.0, .y = two}, decayed(first.a, t_end, two), t_end, 400, scheme));
   const SecondOrderPair second{.c12 = 2.0, .c21 = 0.5};
   const Eigen::Vector4d four{1.0, 0.4, 0.7, -0.3};
   write("second-order pair",
-        refine(second, Values{.t = 0.0, .y = four}, swung(2.0, 0.5, t_end, four), t_end, 400, scheme));
+        refine(second, State{.t = 0.0, .y = four}, swung(2.0, 0.5, t_end, four), t_end, 400, scheme));
 }
 
 const Case order_staggered{

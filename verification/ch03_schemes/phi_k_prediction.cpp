@@ -13,9 +13,9 @@
 #include <particulate/schemes/iteration.hpp>
 #include <particulate/schemes/phi_control.hpp>
 #include <particulate/schemes/phi_family.hpp>
+#include <particulate/schemes/sweeps.hpp>
 
 #include "linear_problems.hpp"
-#include "sweeping.hpp"
 
 namespace verification::phi_k_prediction {
 
@@ -25,7 +25,7 @@ constexpr double omega = 3.0;
 constexpr double decay_rate = 2.0;
 
 // w_0 of a spring's step: the first change over the first displacement, both by hand.
-double first_error(double phi, double dt, const Motion& from) {
+double first_error(double phi, double dt, const State& from) {
   const double flight = from.r[0] + dt * from.v[0];
   const double kick = -phi * std::pow(omega * dt, 2) * (phi * flight + (1.0 - phi) * from.r[0]);
   return std::abs(kick) / std::abs(flight + kick - from.r[0]);
@@ -33,8 +33,7 @@ double first_error(double phi, double dt, const Motion& from) {
 
 // Of every sweep whose error is above a hundred roundings: deviation of Dt Phi_K over what rounding allows. The error
 // w_K is good to a rounding over itself, of which the p K-th root is taken.
-template <class State>
-double deviation(const Swept<State>& swept, double dt, double expected, double TOL, int K_d, int& compared) {
+double deviation(const Sweeps& swept, double dt, double expected, double TOL, int K_d, int& compared) {
   double worst = 0.0;
   for (const Iteration& it : swept.iterations) {
     if (it.K < 1 || !(it.w_K > 100.0 * std::max(eps, it.rounding))) continue;
@@ -51,12 +50,13 @@ constexpr std::array tolerances{1e-2, 1e-6, 1e-12};
 constexpr auto because = "in units of 16 eps and of four roundings of w_K under the p K-th root";
 
 void compare_spring(Rows& rows, double phi) {
+  const Oscillators spring = oscillator(omega);
   double worst = 0.0;
   int compared = 0;
   for (const double x : {0.03, 0.3, 0.8, 1.4}) {
     const double dt = x / (phi * omega);
-    const Motion from = motion(0.6, 0.5 / dt);
-    const auto swept = sweep(BackwardEuler(phi), oscillator(omega), from, dt, 30);
+    const State from = motion(0.6, 0.5 / dt);
+    const Sweeps swept = sweep_by_hand(BackwardEuler(phi), spring, from, dt, 30);
     for (const int K_d : contractions) {
       for (const double TOL : tolerances) {
         const double expected = std::pow(TOL / first_error(phi, dt, from), 1.0 / (2.0 * K_d)) / (phi * omega);
@@ -74,12 +74,13 @@ void compare_spring(Rows& rows, double phi) {
 }
 
 void compare_decay(Rows& rows) {
+  const DragRate drag{.c = decay_rate, .m = 1.0};
   double worst = 0.0;
   int compared = 0;
   for (const double z : {0.01, 0.3, 0.8, 2.0}) {
     const double dt = z / decay_rate;
-    const Values from{.t = 0.0, .y = Eigen::VectorXd::Constant(1, 0.7)};
-    const auto swept = sweep(BackwardEuler{}, Drag{.c = decay_rate, .m = 1.0}, from, dt, 30);
+    const State from{.t = 0.0, .y = Eigen::VectorXd::Constant(1, 0.7)};
+    const Sweeps swept = sweep_by_hand(BackwardEuler{}, drag, from, dt, 30);
     for (const int K_d : contractions) {
       for (const double TOL : tolerances) {
         keep_worst(worst, deviation(swept, dt, std::pow(TOL, 1.0 / K_d) / decay_rate, TOL, K_d, compared));
@@ -96,14 +97,14 @@ void compare_decay(Rows& rows) {
 
 // A step whose w_0 is what it should be, whatever the step: with dt v = x^2 (1 + 1/w_0) and the flight ending at 1 the
 // first change is x^2 and the first displacement x^2/w_0.
-Motion with_first_error(double w_0, double dt) {
+State with_first_error(double w_0, double dt) {
   const double flown = std::pow(omega * dt, 2) * (1.0 + 1.0 / w_0);
   return motion(1.0 - flown, flown / dt);
 }
 
 double proposed_by_run(double dt, double w_0, double TOL, int K_d) {
   Oscillators spring = oscillator(omega);
-  Motion state = with_first_error(w_0, dt);
+  State state = with_first_error(w_0, dt);
   BackwardEuler scheme;
   PhiControl control{.TOL = TOL, .K_d = K_d, .step = dt, .limit = 1e6, .growth = 1e6};
   require_reached(integrate(spring, state, dt, scheme, control));
@@ -138,19 +139,20 @@ const Case phi_k_prediction{
     }};
 
 // What four roundings of the positions are of the last change.
-double rounding_of(const Swept<Motion>& swept) {
+double rounding_of(const Sweeps& swept) {
   return 4.0 * eps * swept.iterates.back().r.lpNorm<1>() / changes(swept.iterates).back();
 }
 
 // A step made again with Phi_K Dt: its K_d-th error is TOL, but for the change of w_0 from one step to the other.
-void compare_redo(Rows& rows, const std::string& what, const Motion& from) {
+void compare_redo(Rows& rows, const std::string& what, const State& from) {
   constexpr double TOL = 1e-6;
+  const Oscillators spring = oscillator(omega);
   double worst = 0.0;
   for (const int K_d : {2, 3, 5, 10}) {
     for (const double dt : {0.6 / omega, 0.95 / omega, 1.3 / omega}) {
-      const auto first = sweep(BackwardEuler{}, oscillator(omega), from, dt, K_d + 1);
+      const Sweeps first = sweep_by_hand(BackwardEuler{}, spring, from, dt, K_d + 1);
       const double again = phi_K(first.iterations.back(), TOL, K_d) * dt;
-      const auto redo = sweep(BackwardEuler{}, oscillator(omega), from, again, K_d + 1);
+      const Sweeps redo = sweep_by_hand(BackwardEuler{}, spring, from, again, K_d + 1);
       const double expected = TOL * first_error(1.0, again, from) / first_error(1.0, dt, from);
       const double allowed = 64.0 * eps + rounding_of(first) + rounding_of(redo);
       const double off = std::abs(redo.iterations.back().w_K / expected - 1.0) / allowed;
@@ -166,13 +168,13 @@ void compare_redo(Rows& rows, const std::string& what, const Motion& from) {
 // The drag problem has w_0 = 1 at any step, so that a redone step meets TOL exactly, neither sooner nor later.
 void compare_redone_run(Rows& rows) {
   constexpr int K_d = 8;
-  Drag drag{.c = decay_rate, .m = 1.0};
-  Values state{.t = 0.0, .y = Eigen::VectorXd::Ones(1)};
+  const DragRate drag{.c = decay_rate, .m = 1.0};
+  State state{.t = 0.0, .y = Eigen::VectorXd::Ones(1)};
   BackwardEuler scheme;
   const double z = 0.5, TOL = 1e-6;
   PhiControl control{.TOL = TOL, .K_d = K_d, .step = z / decay_rate, .limit = 1.0, .retry = 1.0 - 1e-12};
   std::vector<double> made;
-  const auto watch = [&](const Values&, const Values&, double dt, const BackwardEuler&) {
+  const auto watch = [&](const State&, const State&, double dt, const BackwardEuler&) {
     made.push_back(dt);
     return false;
   };
@@ -238,11 +240,11 @@ void compare_bounds(Rows& rows) {
 // Steps of a run that starts with nothing moving: 0/0 is no reason to stay small.
 void compare_rest(Rows& rows) {
   Oscillators spring = oscillator(omega);
-  Motion state = motion(0.0, 0.0);
+  State state = motion(0.0, 0.0);
   BackwardEuler scheme;
   PhiControl control{.step = 1.0 / 64.0, .limit = 0.1};
   std::vector<double> steps;
-  const auto watch = [&](const Motion&, const Motion&, double dt, const BackwardEuler&) {
+  const auto watch = [&](const State&, const State&, double dt, const BackwardEuler&) {
     steps.push_back(dt);
     return steps.size() < 6;
   };
@@ -259,8 +261,8 @@ void compare_rest(Rows& rows) {
 
 // To land on the end the last step is cut short; the controller keeps the longer one for the next run.
 void compare_landing(Rows& rows) {
-  Drag drag{.c = 1e-3, .m = 1.0};
-  Values state{.t = 0.0, .y = Eigen::VectorXd::Ones(1)};
+  const DragRate drag{.c = 1e-3, .m = 1.0};
+  State state{.t = 0.0, .y = Eigen::VectorXd::Ones(1)};
   BackwardEuler scheme;
   PhiControl control{.step = 0.25, .limit = 0.25};
   require_reached(integrate(drag, state, 0.3, scheme, control));

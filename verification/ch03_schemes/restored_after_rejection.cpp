@@ -50,12 +50,12 @@ void validate(const Replayed<C>&) {}
 template <class C>
 struct Watched {
   C control;
-  long steps = 0, rejections = 0, sweeps = 0;
+  long steps = 0, rejections = 0, swept = 0;
 
   double dt() const { return control.dt(); }
   bool goes_on(const Iteration& it) const { return control.goes_on(it); }
   Decision judge(const Attempt& made) {
-    sweeps += made.iteration.K + 1;
+    swept += made.iteration.K + 1;
     Decision decision = control.judge(made);
     ++(decision.accepted ? steps : rejections);
     return decision;
@@ -78,7 +78,6 @@ struct Asked {
   double distance(In x, In y) const { return scene.distance(x, y); }
 };
 
-template <class State>
 struct Run {
   std::vector<State> states;
   std::vector<double> steps;
@@ -86,9 +85,9 @@ struct Run {
   long broken = 0;  // accepted steps that did not start where the last one ended
 };
 
-template <class S, class C, class P, class State>
-Run<State> run(P& problem, const State& start, double t_end, S scheme, C& control) {
-  Run<State> seen{.states = {start}, .steps = {}};
+template <class S, class C>
+Run run(const Problem& problem, const State& start, double t_end, S scheme, C& control) {
+  Run seen{.states = {start}, .steps = {}};
   State state = start;
   const auto keep = [&](const State& from, const State& to, double dt, const S&) {
     if (differing(from, seen.states.back()) != 0) ++seen.broken;
@@ -102,13 +101,13 @@ Run<State> run(P& problem, const State& start, double t_end, S scheme, C& contro
 }
 
 // What every such run must show; returns what its controller counted.
-template <class S, class P, class State, class C>
-Watched<C> compare(Rows& rows, const std::string& method, P& problem, const State& start, double t_end, const S& scheme,
-                   const C& control) {
+template <class S, class C>
+Watched<C> compare(Rows& rows, const std::string& method, const Problem& problem, const State& start, double t_end,
+                   const S& scheme, const C& control) {
   Watched<C> watched{.control = control};
-  const Run<State> adaptive = run(problem, start, t_end, scheme, watched);
+  const Run adaptive = run(problem, start, t_end, scheme, watched);
   Replayed<C> again{.steps = adaptive.steps, .control = control};
-  const Run<State> replayed = run(problem, start, t_end, scheme, again);
+  const Run replayed = run(problem, start, t_end, scheme, again);
   long differ = 0;
   for (std::size_t k = 0; k < adaptive.states.size(); ++k) {
     differ += differing(adaptive.states[k], replayed.states.at(k));
@@ -126,7 +125,7 @@ Watched<C> compare(Rows& rows, const std::string& method, P& problem, const Stat
               .because = "the observer sees every state once as from and once as to"});
   const Outcome& out = adaptive.outcome;
   rows.equal("steps, refusals and sweeps, " + method,
-             {.expected = fmt::format("{} {} {}", watched.steps, watched.rejections, watched.sweeps),
+             {.expected = fmt::format("{} {} {}", watched.steps, watched.rejections, watched.swept),
               .computed = fmt::format("{} {} {}", out.steps, out.rejections, out.sweeps),
               .because = "counted by a controller of the case's own"});
   return watched;
@@ -155,7 +154,7 @@ void compare_near_field(Rows& rows, const std::string& method, const S& scheme, 
   long evaluations = 0;
   const Watched<PhiControl> watched = compare_pair(rows, method, scheme, control, evaluations);
   rows.equal("right-hand sides, " + method + ", from sweeps and attempts",
-             {.expected = watched.sweeps + predictions * (watched.steps + watched.rejections),
+             {.expected = watched.swept + predictions * (watched.steps + watched.rejections),
               .computed = evaluations,
               .because = "one a sweep, and one an attempt where the start's share counts"});
 }
@@ -169,7 +168,7 @@ void compare_collocation(Rows& rows, const std::string& solver) {
   long evaluations = 0;
   const Watched<ErrorControl> watched =
       compare_pair(rows, method, Collocation<Gauss<4>, Solver>({}, Solver()), control, evaluations);
-  const long beyond = evaluations - 4 * watched.sweeps;
+  const long beyond = evaluations - 4 * watched.swept;
   rows.at_least("right-hand sides beyond four a sweep, " + method,
                 {.limit = 1.0, .computed = static_cast<double>(beyond), .because = "the guess of the first step"});
   rows.at_most("right-hand sides beyond four a sweep, " + method,
@@ -186,7 +185,7 @@ void compare_staggered(Rows& rows, const std::string& method, const std::optiona
   const Staggered scheme({{.name = "first", .TOL = 1e-8, .p = p}, {.name = "second", .TOL = 1e-6, .p = p}}, seen,
                          relaxation);
   const PhiControl control{.TOL = 1.0, .K_d = 2, .step = 0.4, .limit = 0.4, .growth = 64.0};
-  const Values start{.t = 0.0, .y = Eigen::Vector2d{1.0, 0.5}};
+  const State start{.t = 0.0, .y = Eigen::Vector2d{1.0, 0.5}};
   compare(rows, method, pair, start, 0.3, scheme, control);
 }
 

@@ -13,10 +13,10 @@
 #include <particulate/schemes/integrate.hpp>
 #include <particulate/schemes/phi_control.hpp>
 #include <particulate/schemes/staggering.hpp>
+#include <particulate/schemes/sweeps.hpp>
 
 #include "endings.hpp"
 #include "linear_problems.hpp"
-#include "sweeping.hpp"
 
 namespace verification::staggering_contraction {
 
@@ -30,7 +30,7 @@ Staggered staggered(int p, Seen seen = Seen::newest, std::optional<Aitken> relax
 }
 
 // Changes of one number of the state from sweep to sweep, with their sign.
-std::vector<double> signed_changes(const Swept<Values>& swept, Eigen::Index of) {
+std::vector<double> signed_changes(const Sweeps& swept, Eigen::Index of) {
   std::vector<double> changes;
   for (std::size_t k = 1; k < swept.iterates.size(); ++k) {
     changes.push_back(swept.iterates[k].y[of] - swept.iterates[k - 1].y[of]);
@@ -51,11 +51,11 @@ double farthest_ratio(const std::vector<double>& change, std::size_t first, std:
 // Both fields, both kinds of sweep. The first field's first change comes from the second's start, not from a sweep, so
 // that its law holds from its second change on. A Jacobi sweep has two eigenvalues of opposite sign, or imaginary ones:
 // over two sweeps both are the factor of Gauss-Seidel.
-template <class P>
-void compare_pair(Rows& rows, const std::string& which, const P& pair, const Values& start, double dt, double factor) {
+void compare_pair(Rows& rows, const std::string& which, const Problem& pair, const State& start, double dt,
+                  double factor) {
   const Eigen::Index second = start.y.size() / 2;
-  const auto gauss_seidel = sweep(staggered(2), pair, start, dt, 30);
-  const auto jacobi = sweep(staggered(1, Seen::previous), pair, start, dt, 60);
+  const Sweeps gauss_seidel = sweep_by_hand(staggered(2), pair, start, dt, 30);
+  const Sweeps jacobi = sweep_by_hand(staggered(1, Seen::previous), pair, start, dt, 60);
   const auto compare = [&](const std::string& what, double ratio) {
     rows.compare(what + ", " + which,
                  {.expected = factor, .computed = ratio, .tolerance = relative(tolerance), .because = because});
@@ -72,8 +72,8 @@ FirstOrderPair first_order(double a11, double a12, double a21, double a22) {
   return pair;
 }
 
-const Values two{.t = 0.0, .y = Eigen::Vector2d{1.0, 0.7}};
-const Values four{.t = 0.0, .y = Eigen::Vector4d{1.0, 0.4, 0.7, -0.3}};
+const State two{.t = 0.0, .y = Eigen::Vector2d{1.0, 0.7}};
+const State four{.t = 0.0, .y = Eigen::Vector4d{1.0, 0.4, 0.7, -0.3}};
 
 const Case staggering_contraction{
     {.name = "staggering_contraction",
@@ -86,20 +86,19 @@ const Case staggering_contraction{
         for (const double b : {1.0, -3.0}) {
           for (const double dt : {0.1, 0.6}) {
             const std::string with = fmt::format("a = {}, b = {}, dt = {}", a, b, dt);
-            compare_pair(rows, "first order, " + with, first_order(0.0, 1.0 / a, 1.0 / b, 0.0), two, dt,
-                         dt * dt / (a * b));
-            compare_pair(rows, "second order, " + with, SecondOrderPair{.c12 = 1.0 / a, .c21 = 1.0 / b}, four, dt,
-                         std::pow(dt, 4) / (a * b));
+            const FirstOrderPair first = first_order(0.0, 1.0 / a, 1.0 / b, 0.0);
+            const SecondOrderPair second{.c12 = 1.0 / a, .c21 = 1.0 / b};
+            compare_pair(rows, "first order, " + with, first, two, dt, dt * dt / (a * b));
+            compare_pair(rows, "second order, " + with, second, four, dt, std::pow(dt, 4) / (a * b));
           }
         }
       }
       for (const double dt : {0.05, 0.3, 0.499, 0.501}) {
+        const FirstOrderPair turning = first_order(1.0, 3.0, -3.0, 1.0), driven = first_order(2.0, 4.0, 1.0, 0.5);
         const double q = dt * dt * 3.0 * -3.0 / ((1.0 + dt) * (1.0 + dt));
-        compare_pair(rows, fmt::format("a11 = a22 = 1, a12 = -a21 = 3, dt = {}", dt), first_order(1.0, 3.0, -3.0, 1.0),
-                     two, dt, q);
+        compare_pair(rows, fmt::format("a11 = a22 = 1, a12 = -a21 = 3, dt = {}", dt), turning, two, dt, q);
         const double other = dt * dt * 4.0 / ((1.0 + 2.0 * dt) * (1.0 + 0.5 * dt));
-        compare_pair(rows, fmt::format("a11 = 2, a22 = 1/2, a12 = 4, a21 = 1, dt = {}", dt),
-                     first_order(2.0, 4.0, 1.0, 0.5), two, dt, other);
+        compare_pair(rows, fmt::format("a11 = 2, a22 = 1/2, a12 = 4, a21 = 1, dt = {}", dt), driven, two, dt, other);
       }
     }};
 
@@ -107,15 +106,8 @@ const FirstOrderPair stable_physics = first_order(1.0, 3.0, -3.0, 1.0);
 
 // What the scheme itself reports of the error's factor: q = -0.09/1.21 at dt = 0.1.
 void compare_reported(Rows& rows) {
-  Staggered scheme = staggered(2);
-  FirstOrderPair pair = stable_physics;
-  Values to;
-  scheme.predict(pair, two, 0.1, to);
   std::vector<double> w;
-  for (int k = 0; k < 4; ++k) {
-    scheme.sweep(pair, two, 0.1, to);
-    w.push_back(scheme.iterations()[1].w_K);
-  }
+  for (const auto& fields : sweep_by_hand(staggered(2), stable_physics, two, 0.1, 4).parts) w.push_back(fields[1].w_K);
   for (std::size_t k = 1; k < w.size(); ++k) {
     rows.compare(fmt::format("w_{} over w_{} of the second field at dt = 0.1", k, k - 1),
                  {.expected = 0.09 / 1.21,
@@ -132,9 +124,9 @@ Ending decay(double t_end, C control, const std::optional<Aitken>& relaxation, d
              const std::string& reason, Outcome* out = nullptr) {
   FirstOrderPair pair = stable_physics;
   Staggered scheme = staggered(2, Seen::newest, relaxation);
-  Values state = two;
+  State state = two;
   Eigen::Vector2d exact = two.y;
-  const auto follow = [&](const Values&, const Values&, double dt, const Staggered&) {
+  const auto follow = [&](const State&, const State&, double dt, const Staggered&) {
     exact = implicit_step(stable_physics.a, dt, exact);
     return true;
   };

@@ -14,9 +14,9 @@
 #include <particulate/schemes/coupled_pair.hpp>
 #include <particulate/schemes/phi_control.hpp>
 #include <particulate/schemes/staggering.hpp>
+#include <particulate/schemes/sweeps.hpp>
 
 #include "linear_problems.hpp"
-#include "sweeping.hpp"
 
 namespace verification::staggering_control {
 
@@ -27,7 +27,7 @@ struct ByHand {
   double w_0 = 0.0, w_K = 0.0, phi = 0.0;
 };
 
-ByHand by_hand(const Swept<Values>& swept, Eigen::Index field, int p, double TOL, int K_d) {
+ByHand by_hand(const Sweeps& swept, Eigen::Index field, int p, double TOL, int K_d) {
   ByHand hand;
   double displacement = 0.0;
   int K = -1;
@@ -48,17 +48,13 @@ struct Setting {
 };
 
 // Three sweeps of one step are judged, as the controller would, and as the text says.
-void compare_judgement(Rows& rows, const FirstOrderPair& pair, const Values& from, double dt, const Setting& setting) {
+void compare_judgement(Rows& rows, const FirstOrderPair& pair, const State& from, double dt, const Setting& setting) {
   constexpr int K_d = 3;
   const std::array<std::string_view, 2> names{"first", "second"};
-  Staggered scheme({{.name = names[0], .TOL = setting.TOL[0], .p = setting.p[0]},
-                    {.name = names[1], .TOL = setting.TOL[1], .p = setting.p[1]}});
-  FirstOrderPair problem = pair;
-  const auto swept = sweep(scheme, problem, from, dt, K_d + 1);
-  Values to;
-  scheme.predict(problem, from, dt, to);
-  Iteration last;
-  for (int k = 0; k <= K_d; ++k) last = scheme.sweep(problem, from, dt, to);
+  const Staggered scheme({{.name = names[0], .TOL = setting.TOL[0], .p = setting.p[0]},
+                          {.name = names[1], .TOL = setting.TOL[1], .p = setting.p[1]}});
+  const Sweeps swept = sweep_by_hand(scheme, pair, from, dt, K_d + 1);
+  const Iteration& last = swept.iterations.back();
 
   std::array<ByHand, 2> hand;
   double worst = 0.0, smallest = std::numeric_limits<double>::infinity();
@@ -71,7 +67,7 @@ void compare_judgement(Rows& rows, const FirstOrderPair& pair, const Values& fro
   }
   PhiControl control{
       .TOL = 1.0, .K_d = K_d, .step = dt, .limit = 1e3, .growth = 1e3, .retry = 0.999999, .shrink = 1e-6};
-  const Decision decision = control.judge({.dt = dt, .iteration = last, .fields = scheme.iterations()});
+  const Decision decision = control.judge({.dt = dt, .iteration = last, .fields = swept.parts.back()});
   const std::string which =
       fmt::format(", TOL = {}, {}, p = {}, {}", setting.TOL[0], setting.TOL[1], setting.p[0], setting.p[1]);
   constexpr auto because = "errors of 1e-4 and more of numbers near 1";
@@ -98,7 +94,7 @@ const Case staggering_control{
     [](Rows& rows) {
       FirstOrderPair pair;
       pair.a << 2.0, 4.0, 1.0, 0.5;
-      const Values from{.t = 0.0, .y = Eigen::Vector2d{1.0, 0.7}};
+      const State from{.t = 0.0, .y = Eigen::Vector2d{1.0, 0.7}};
       const std::array<Setting, 6> settings{{{{1e-1, 1e-2}, {2, 2}, "second"},
                                              {{1e-8, 1e-2}, {2, 2}, "first"},
                                              {{1e-2, 1e-8}, {2, 2}, "second"},
@@ -109,12 +105,11 @@ const Case staggering_control{
     }};
 
 // The step that a run proposes after one step.
-PhiControl proposed(const FirstOrderPair& pair, const Values& from, double dt, const Staggered& scheme, int K_d) {
-  FirstOrderPair problem = pair;
+PhiControl proposed(const FirstOrderPair& pair, const State& from, double dt, const Staggered& scheme, int K_d) {
   Staggered fresh = scheme;
-  Values state = from;
+  State state = from;
   PhiControl control{.TOL = 1.0, .K_d = K_d, .step = dt, .limit = 1e3, .growth = 1e3};
-  require_reached(integrate(problem, state, dt, fresh, control));
+  require_reached(integrate(pair, state, dt, fresh, control));
   return control;
 }
 
@@ -130,9 +125,9 @@ const Case staggering_prediction{
       FirstOrderPair pair;
       pair.a << 0.0, 1.0 / a, 1.0 / b, 0.0;
       // One field alone moves at first, so that the changes of both are one geometric sequence each, from 1 on.
-      const Values one_moves{.t = 0.0, .y = Eigen::Vector2d{1.0, 0.0}};
+      const State one_moves{.t = 0.0, .y = Eigen::Vector2d{1.0, 0.0}};
       // Along an eigenvector of the Jacobi sweep.
-      const Values together{.t = 0.0, .y = Eigen::Vector2d{1.0 / std::sqrt(a), 1.0 / std::sqrt(b)}};
+      const State together{.t = 0.0, .y = Eigen::Vector2d{1.0 / std::sqrt(a), 1.0 / std::sqrt(b)}};
       for (const double dt : {0.05, 0.1, 0.3}) {
         for (const bool newest : {true, false}) {
           const int p = newest ? 2 : 1;

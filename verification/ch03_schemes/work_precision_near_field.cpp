@@ -44,7 +44,6 @@ struct Problem {
   std::vector<Competitor> others = {};
 };
 
-template <class Begin>
 Competitor stepped(const char* name, const Problem& of, const Ladder& ladder, Begin begin) {
   Competitor who =
       competitor(name, of.judged.race, step_sizes(of.judged.race.outputs.front(), ladder.steps), std::move(begin));
@@ -63,7 +62,7 @@ const Party sundials{"SUNDIALS",
 
 std::vector<Competitor> by_sundials(const Problem& of) {
   using reference::ExplicitRungeKutta, reference::Table;
-  const auto toleranced = [&](const char* name, double tightest, auto begin) {
+  const auto toleranced = [&](const char* name, double tightest, const Begin& begin) {
     return competitor(name, of.judged.race, tolerances(tightest), begin);
   };
   std::vector<Competitor> all{
@@ -134,7 +133,7 @@ Ladder longer(Rows& rows, Ladder ladder, int times = 1) {
   return ladder;
 }
 
-Problem breathing(Rows& rows, const std::string& name, const Race<NearFieldScene>& race) {
+Problem breathing(Rows& rows, const std::string& name, const Race& race) {
   return {.name = name,
           .judged = {.race = race, .floor = rounding_floor},
           .reference = "closed form in extended precision, rounded",

@@ -19,9 +19,9 @@ namespace verification::work_precision_spring {
 using namespace particulate;
 
 // Moving at the start, so that nothing is symmetric in time; the end is no multiple of the period or of a part of it.
-Race<Oscillators> spring_race() {
+Race spring_race() {
   constexpr double r_0 = 1.0, v_0 = 0.3, t_end = 7.3;
-  Race<Oscillators> race{.problem = oscillator(1.0), .start = motion(r_0, v_0), .outputs = {}, .truth = {}};
+  Race race{.problem = oscillator(1.0), .start = motion(r_0, v_0), .outputs = {}, .truth = {}};
   for (int leg = 1; leg <= 5; ++leg) race.outputs.push_back(t_end * leg / 5.0);
   race.truth = [](double t) {
     const double c = std::cos(t), s = std::sin(t);
@@ -39,7 +39,7 @@ const Case spring{
      .equation = "R 3.3",
      .reference = Reference::closed_form},
     [](Rows& rows) {
-      const Race<Oscillators> race = spring_race();
+      const Race race = spring_race();
       const double leg = race.outputs.front();
       const int more = rows.full() ? 1 : 0;
       const double tightest = rows.quick() ? 1e-11 : 1e-15;

@@ -37,7 +37,7 @@ file    kinematics/central_force.cpp
 what    Nothing, "only" a sum that stands the other way round.
 from    const double exponent = 1.0 - beta;
 to      const double exponent = -beta + 1.0;
-cases   ch01_fundamentals/potential_limit
+cases   ch01_fundamentals/potential_limit:potential_limit
 H
 cp defects.txt good.txt
 
@@ -54,6 +54,7 @@ braces=$(grep -c '^ *}$' "$here/../../lib/particulate/kinematics/central_force.c
 spoilt "exactly once, but does $braces times" '5s/ .*/ }/'
 spoilt 'there must be a file lib/particulate/kinematics/nosuch.cpp' '3s/central_force/nosuch/'
 spoilt 'there must be a case verification/ch01_fundamentals/nosuch.cpp' 's/potential_limit/nosuch/'
+spoilt 'there must be a case nosuch in verification/ch01_fundamentals/potential_limit.cpp' 's/:potential_limit/:nosuch/'
 spoilt "logarithm: 'to' must differ from 'from'" '6s/d . d_ref - 1.0/logarithm/'
 spoilt "logarithm: 'what' must be given" '4s/ .*//'
 spoilt "names of defects must differ, got 'logarithm' twice" 's/harmless/logarithm/'

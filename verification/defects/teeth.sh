@@ -104,6 +104,12 @@ read_list() {
   if [[ ${#names[@]} -eq 0 ]]; then die "$list: there must be at least one defect, got none"; fi
 }
 
+# sources_of <defect>: of its cases, each once, in their order.
+sources_of() {
+  # shellcheck disable=SC2086 # cases are words
+  printf '%s\n' ${cases[$1]} | sed 's/:.*//' | awk '!seen[$0]++'
+}
+
 # occurrences <defect>: how often its line stands in its file, indentation apart.
 occurrences() {
   line=${from[$1]} awk '{ sub(/^[ \t]+/, "") } $0 == ENVIRON["line"] { ++n } END { print n + 0 }' \
@@ -140,8 +146,10 @@ what_is_wrong_with() {
   fi
   if [[ ${from[$1]} == "${to[$1]}" ]]; then echo "$1: 'to' must differ from 'from'"; fi
   for case in ${cases[$1]}; do
-    if [[ ! -f $root/verification/$case.cpp ]]; then
-      echo "$1: there must be a case verification/$case.cpp, and there is none"
+    if [[ ! -f $root/verification/${case%%:*}.cpp ]]; then
+      echo "$1: there must be a case verification/${case%%:*}.cpp, and there is none"
+    elif [[ $case == *:* ]] && ! grep -q "\"${case#*:}\"" "$root/verification/${case%%:*}.cpp"; then
+      echo "$1: there must be a case ${case#*:} in verification/${case%%:*}.cpp, and there is none"
     fi
   done
 }
@@ -159,10 +167,10 @@ check_list() {
 
 # made_from <defect>: a digest of the spoilt file and of the cases; another one means that the result may be outdated.
 made_from() {
-  local case
+  local source
   {
     planted "$1"
-    for case in ${cases[$1]}; do cat "$root/verification/$case.cpp"; done
+    for source in $(sources_of "$1"); do cat "$root/verification/$source.cpp"; done
   } | sha256sum | cut -c 1-16
 }
 
@@ -270,24 +278,27 @@ configure() {
     done
     spoilt=$(for name in "${chosen[@]}"; do echo "${file[$name]}"; done | sort -u | paste -sd ';')
   fi
-  if [[ -z ${CMAKE_CXX_COMPILER_LAUNCHER:-} ]] && command -v ccache >/dev/null; then
+  if [[ -z ${CMAKE_CXX_COMPILER_LAUNCHER:-}${CCACHE_DISABLE:-} ]] && command -v ccache >/dev/null; then
     export CMAKE_CXX_COMPILER_LAUNCHER=ccache
   fi
-  cmake -G Ninja -S "$copied/verification/defects" -B "$folder/build" -DCMAKE_CXX_FLAGS='-O1 -DNDEBUG' \
+  cmake -G Ninja -S "$copied/verification/defects" -B "$folder/build" -DCMAKE_CXX_FLAGS="-O1 -DNDEBUG ${CXXFLAGS:-}" \
     -DBUILT="$built" -DSPOILT="$spoilt" >"$folder/configure.log" 2>&1 ||
     die "the copy cannot be configured: see $folder/configure.log"
 }
 
-# compile <cases>...
+# compile <sources of cases>...
 compile() {
   cmake --build "$folder/build" --parallel "$jobs" --target "${@//\//.}" >"$folder/compile.log" 2>&1
 }
 
-# prove <case>: its quick run; afterwards `red` holds the names of the cases that failed, and `failed` the rows.
+# prove <source, or one case of it>: its quick run; afterwards `red` holds the names of the cases that failed, and `failed`
+# the rows.
 longest=300
 prove() {
-  local status=0 log=$folder/run.log end
-  timeout "$longest" "$folder/build/bin/${1//\//.}" --quick --out "$folder/results" >"$log" 2>&1 || status=$?
+  local status=0 log=$folder/run.log end program=${1%%:*} one=()
+  if [[ $1 == *:* ]]; then one=(--case "${1#*:}"); fi
+  timeout "$longest" "$folder/build/bin/${program//\//.}" --quick --out "$folder/results" "${one[@]}" >"$log" 2>&1 ||
+    status=$?
   red=$(sed -n 's/^FAIL  \([a-z0-9_]*\) .*/\1/p' "$log" | paste -sd ' ')
   failed=$(sed -n 's/^[0-9]* rows, \([0-9]*\) failed$/\1/p' "$log")
   end=$(basename "$1")
@@ -299,17 +310,18 @@ prove() {
 }
 
 prove_unchanged() {
-  local name case needed=() count=0
+  local name case needed=() sources=() count=0
   mapfile -t needed < <(for name in "${chosen[@]}"; do tr ' ' '\n' <<<"${cases[$name]}"; done | sort -u)
-  say "compiling ${#needed[@]} cases of the unchanged library"
-  compile "${needed[@]}" || die "the unchanged library does not compile: see $folder/compile.log"
+  mapfile -t sources < <(for name in "${chosen[@]}"; do sources_of "$name"; done | sort -u)
+  say "compiling ${#sources[@]} files of cases and the unchanged library"
+  compile "${sources[@]}" || die "the unchanged library does not compile: see $folder/compile.log"
   for case in "${needed[@]}"; do
     count=$((count + 1))
     say "[$count/${#needed[@]}] $case, unchanged"
     prove "$case"
     if [[ -n $red ]]; then die "$case must be green with the unchanged library, but it is not: see $folder/run.log"; fi
   done
-  tell "${#needed[@]} files of cases are green with the unchanged library"
+  tell "${#needed[@]} cases or files of them are green with the unchanged library"
 }
 
 # try <defect>: afterwards `caught` says what turned red, by chapter, and `rows` in how many rows.
@@ -317,8 +329,8 @@ try() {
   local spoilt=$copied/lib/particulate/${file[$1]} case chapter last=''
   caught='' rows=0
   planted "$1" >"$spoilt"
-  # shellcheck disable=SC2086 # cases are words
-  compile ${cases[$1]} || die "$1 does not compile, so it proves nothing: see $folder/compile.log"
+  # shellcheck disable=SC2046 # sources are words
+  compile $(sources_of "$1") || die "$1 does not compile, so it proves nothing: see $folder/compile.log"
   for case in ${cases[$1]}; do
     prove "$case"
     if [[ -z $red ]]; then continue; fi

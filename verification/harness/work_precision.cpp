@@ -13,10 +13,17 @@
 namespace verification {
 namespace {
 
-constexpr int repeats = 5;               // after the warm-up; fewer show no spread
-constexpr double shortest_batch = 1e-3;  // [s], far above the clock's resolution
 constexpr double half_a_decade = 3.1622776601683795;
 constexpr double floors_at_floor = 10.0;  // points nearer to the reference's error say nothing
+
+// How often a run is timed after the first time, and for how long at least. A quick run shows that seconds can be
+// measured and that counts repeat; a full one shows their spread.
+struct Effort {
+  int repeats;
+  double shortest_batch;  // [s], far above the clock's resolution
+};
+constexpr Effort full_effort{.repeats = 5, .shortest_batch = 1e-3};
+constexpr Effort quick_effort{.repeats = 1, .shortest_batch = 1e-4};
 
 double seconds_of(const std::function<void()>& work) {
   const auto begin = std::chrono::steady_clock::now();
@@ -25,19 +32,20 @@ double seconds_of(const std::function<void()>& work) {
 }
 
 struct Timing {
-  Counts counts;                       // of the first run
-  bool repeats = true;                 // every later run had the same
+  bool repeats = true;                 // every run had the counts that were expected
   double minimum = 0.0, median = 0.0;  // [s] per run
 };
 
-// Warms up, then measures. A run that is over too soon for the clock is measured in batches.
-Timing time_of(const std::function<Counts()>& run) {
-  Timing timing{.counts = run()};
-  const auto once = [&] { timing.repeats = run() == timing.counts && timing.repeats; };
+// Runs once to see how long it takes, which warms up as well, then measures. A run that is over too soon for the clock
+// is measured in batches.
+Timing time_of(const std::function<Counts()>& run, const Counts& expected, const Effort& effort) {
+  Timing timing;
+  const auto once = [&] { timing.repeats = run() == expected && timing.repeats; };
   const double alone = seconds_of(once);
-  const int batch = static_cast<int>(std::clamp(std::ceil(shortest_batch / std::max(alone, 1e-9)), 1.0, 1e6));
+  const int batch = static_cast<int>(std::clamp(std::ceil(effort.shortest_batch / std::max(alone, 1e-9)), 1.0, 1e6));
   std::vector<double> seconds;
-  for (int repeat = 0; repeat < repeats; ++repeat) {
+  if (batch == 1) seconds.push_back(alone);
+  for (int repeat = 0; repeat < effort.repeats; ++repeat) {
     seconds.push_back(seconds_of([&] {
                         for (int i = 0; i < batch; ++i) once();
                       }) /
@@ -68,8 +76,8 @@ std::string status_of(const WorkPrecisionPoint& point) {
   return at_floor ? "at floor" : "solved";
 }
 
-WorkPrecisionPoint measured(const WorkPrecision& what, const Competitor& who, double setting,
-                            const Prepared& prepared) {
+WorkPrecisionPoint measured(const WorkPrecision& what, const Competitor& who, double setting, const Prepared& prepared,
+                            const Effort& effort) {
   WorkPrecisionPoint point{.problem = what.problem,
                            .method = who.name,
                            .setting = setting,
@@ -85,8 +93,9 @@ WorkPrecisionPoint measured(const WorkPrecision& what, const Competitor& who, do
                            .timed = what.timed};
   if (point.counts.failure.empty()) { point.errors = prepared.errors(); }
   if (point.counts.failure.empty() && what.timed) {
-    const Timing run = time_of(prepared.run), replay = time_of(prepared.replay);
-    point.repeats = run.repeats && replay.repeats && run.counts == point.counts && replay.counts == point.counts;
+    const Timing run = time_of(prepared.run, point.counts, effort);
+    const Timing replay = time_of(prepared.replay, point.counts, effort);
+    point.repeats = run.repeats && replay.repeats;
     point.seconds_min = run.minimum, point.seconds_median = run.median, point.seconds_overhead = replay.minimum;
   } else {
     point.repeats = (point.errors ? prepared.replay() : prepared.run()) == point.counts;
@@ -182,6 +191,7 @@ void Rows::work_precision(const WorkPrecision& measurement) {
         fmt::format("work_precision {}: the floor must be positive and there must be settings, got {} and {}", problem,
                     floor, total));
   }
+  const Effort& effort = quick() ? quick_effort : full_effort;
   particulate::report::Progress progress(problem, static_cast<double>(total));
   std::optional<Task> task;
   Offenders offenders;
@@ -194,7 +204,7 @@ void Rows::work_precision(const WorkPrecision& measurement) {
       require_complete(prepared, who.name);
       if (!task) task = prepared.task;
       if (prepared.task != *task) offenders.other_task.push_back(fmt::format("{} at {}", who.name, setting));
-      points.push_back(measured(measurement, who, setting, prepared));
+      points.push_back(measured(measurement, who, setting, prepared, effort));
     }
     collect(who, points, offenders);
     if (who.slope) judge_slope(*this, measurement, who, points);

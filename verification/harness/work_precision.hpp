@@ -51,8 +51,9 @@ struct Competitor {
 
 /// Error against run time of several methods on one problem.
 ///
-/// Every setting is run once to warm up and then at least five times. Runs shorter than a millisecond are timed in
-/// batches that last one. Seconds are per run: the smallest and the median; those of the replay likewise, the smallest.
+/// Every setting is run once to warm up and then at least five times, in a quick run at least twice. Runs shorter than
+/// a millisecond, in a quick run a tenth of that, are timed in batches that last one. Seconds are per run: the smallest
+/// and the median; those of the replay likewise, the smallest.
 struct WorkPrecision {
   std::string problem;                  ///< name of the diagram: lower-case letters, digits, underscores
   std::string reference;                ///< what errors are measured against, and how good that is, in words

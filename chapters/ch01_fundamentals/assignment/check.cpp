@@ -293,6 +293,7 @@ Line limit_case(int variant, Draw& draw) {
 }
 
 // Centred differences of the student's own potential at h and h/2, extrapolated: the error left is of order (h/d)^4.
+// The strength is answer `first`, the potentials stand behind it.
 std::optional<Finding> slope_is_strength(const Answers& answers, std::size_t first, const Pair& pair, double d,
                                          double d_ref, double h) {
   const double C = answers[first][0];
@@ -307,8 +308,7 @@ std::optional<Finding> slope_is_strength(const Answers& answers, std::size_t fir
       .expected = fmt::format("slope of potential() there, with d_ref = {}, is your strength() = {:.10g}", d_ref, C),
       .obtained = fmt::format("slope {:.10g}, by differences of your potential() at d +- {}", slope, h),
       .hint = opposite ? "sign of the whole: V' = C, so that energy is conserved"
-                       : "energy is not conserved: differentiate your V by hand, it must give your C",
-      .question = first};
+                       : "energy is not conserved: differentiate your V by hand, it must give your C"};
 }
 
 Line conservation(int variant, Draw& draw) {
@@ -321,17 +321,13 @@ Line conservation(int variant, Draw& draw) {
   line.absolute = 1e-11;
   for (const double d : distances) {
     line.questions.push_back(ask_strength(pair, d));
+    line.questions.back().holds = [pair, d, d_ref](const Answers& answers, std::size_t first) {
+      return slope_is_strength(answers, first, pair, d, d_ref, h);
+    };
     for (const double at : {d + h, d - h, d + 0.5 * h, d - 0.5 * h}) {
       line.questions.push_back({.function = "potential", .inputs = inputs(pair, {at, d_ref})});
     }
   }
-  line.holds = [pair, distances, d_ref](const Answers& answers) {
-    std::optional<Finding> wrong;
-    for (std::size_t k = 0; k < distances.size() && !wrong; ++k) {
-      wrong = slope_is_strength(answers, 5 * k, pair, distances[k], d_ref, h);
-    }
-    return wrong;
-  };
   return line;
 }
 
@@ -339,6 +335,10 @@ Line extreme_case(int variant, Draw& draw) {
   const Pair pair{variant, draw.between(1.0, 2.0), draw.between(0.1, 0.5), variant == 1 ? 6.0 : 3.0, 13.0};
   const Pair close{variant, pair.alpha1, 1e-12 * pair.alpha2, pair.beta1, pair.beta2};
   Line line{.name = "extreme case: exponent 13, distances from 0.001 to 1000", .points = 5.0, .relative = 1e-10};
+  line.otherwise =
+      "compare with the formula of the brief, term by term; where the other lines are right: values span forty orders "
+      "of magnitude, so use double and std::pow, add no small number to d, and replace no derivative or integral by "
+      "differences or sums";
   // Far out one term alone is left: what is wrong with the other shows nearby.
   for (const double d : {draw.between(1.1, 1.3), 1e-3, 1e3}) {
     line.questions.push_back(ask_strength(pair, d));
@@ -348,12 +348,6 @@ Line extreme_case(int variant, Draw& draw) {
   line.questions.push_back(ask_stiffness(close));
   const double m_i = draw.between(1e-15, 2e-15), m_j = draw.between(1e-12, 2e-12);
   line.questions.push_back(ask_period(close, m_i, m_j));
-  for (Question& question : line.questions) {
-    question.otherwise =
-        "compare with the formula of the brief, term by term; where the other lines are right: values span forty "
-        "orders of magnitude, so use double and std::pow, add no small number to d, and replace no derivative or "
-        "integral by differences or sums";
-  }
   return line;
 }
 

@@ -19,7 +19,7 @@ using grading::Answers;
 using grading::Draw;
 using grading::Finding;
 using grading::Line;
-using grading::Mistake;
+using grading::mistakes;
 using grading::Question;
 
 namespace {
@@ -47,132 +47,104 @@ contact::Rebound by_library(const Hit& hit) {
 }
 
 // What can be wrong in one of the formulas. Where several give the same answer, the first one's hint is shown.
-enum class Flaw {
-  approach_reversed,
-  impulse_reversed,
-  forgotten_one,
-  forgotten_e,
-  loses_e,
-  energy,
-  half,
-  twice,
-  other_variant,
-  sum_of_masses,
-  mass_of_i,
-  mass_of_j,
-  whole_velocity,
-  sticks_strictly,
-  never_sticks,
-  forgotten_bars,
-  friction_pushes,
-  slides_by_static,
-  swapped_coefficients,
-  sticks_by_dynamic,
-  always_sticks,
-  no_friction,
-  swapped_masses,
-  same_direction,
-  pulls
+struct Flaw {
+  bool approach_reversed = false, impulse_reversed = false, forgotten_one = false, forgotten_e = false, loses_e = false,
+       energy = false, half = false, twice = false, other_variant = false, sum_of_masses = false, mass_of_i = false,
+       mass_of_j = false, whole_velocity = false, sticks_strictly = false, never_sticks = false, forgotten_bars = false,
+       friction_pushes = false, slides_by_static = false, swapped_coefficients = false, sticks_by_dynamic = false,
+       always_sticks = false, no_friction = false, swapped_masses = false, same_direction = false, pulls = false;
 };
 
 const std::vector<std::pair<Flaw, std::string>> flaws{
-    {Flaw::approach_reversed, "sign of n: it points from i to j, so the bodies approach where (v_i - v_j).n > 0"},
-    {Flaw::impulse_reversed, "sign of J: contacts push, and n points from i to j, so the impulse on i is against n"},
-    {Flaw::forgotten_one, "forgotten 1 + e: compression takes m* u, recovery e m* u more"},
-    {Flaw::forgotten_e, "forgotten e: compression takes m* u, recovery e m* u more"},
-    {Flaw::loses_e, "sign of e: recovery adds to the impulse of compression, 1 + e"},
-    {Flaw::energy, "e is a ratio of velocities, not of energies: no square root"},
-    {Flaw::half, "factor 1/2: m* = 1/(1/m_i + 1/m_j) holds no other factor; it is m/2 for equal masses m"},
-    {Flaw::twice, "factor 2: m* = 1/(1/m_i + 1/m_j), which is m/2 for equal masses m"},
-    {Flaw::other_variant,
+    {{.approach_reversed = true}, "sign of n: it points from i to j, so the bodies approach where (v_i - v_j).n > 0"},
+    {{.impulse_reversed = true},
+     "sign of J: contacts push, and n points from i to j, so the impulse on i is against n"},
+    {{.forgotten_one = true}, "forgotten 1 + e: compression takes m* u, recovery e m* u more"},
+    {{.forgotten_e = true}, "forgotten e: compression takes m* u, recovery e m* u more"},
+    {{.loses_e = true}, "sign of e: recovery adds to the impulse of compression, 1 + e"},
+    {{.energy = true}, "e is a ratio of velocities, not of energies: no square root"},
+    {{.half = true}, "factor 1/2: m* = 1/(1/m_i + 1/m_j) holds no other factor; it is m/2 for equal masses m"},
+    {{.twice = true}, "factor 2: m* = 1/(1/m_i + 1/m_j), which is m/2 for equal masses m"},
+    {{.other_variant = true},
      "this is the map of the other variant: in variant 1 both bodies move, in variant 2 j is driven and 1/m_j counts "
      "as 0"},
-    {Flaw::sum_of_masses, "m* is not the sum of the masses: its inverse is the sum of their inverses"},
-    {Flaw::mass_of_i, "m* is not the mass of one body: 1/m* = 1/m_i + 1/m_j"},
-    {Flaw::mass_of_j, "swapped indices: the mass of j stands where that of i belongs"},
-    {Flaw::whole_velocity, "friction acts across n: take the normal part from the relative velocity, w - (w.n) n"},
-    {Flaw::sticks_strictly,
+    {{.sum_of_masses = true}, "m* is not the sum of the masses: its inverse is the sum of their inverses"},
+    {{.mass_of_i = true}, "m* is not the mass of one body: 1/m* = 1/m_i + 1/m_j"},
+    {{.mass_of_j = true}, "swapped indices: the mass of j stands where that of i belongs"},
+    {{.whole_velocity = true}, "friction acts across n: take the normal part from the relative velocity, w - (w.n) n"},
+    {{.sticks_strictly = true},
      "it sticks where m* |slip| <= mu_s |J|, equality included: where nothing slips and nothing rubs, sliding is 0/0"},
-    {Flaw::never_sticks,
+    {{.never_sticks = true},
      "friction is not capped: it can stop the slip, never reverse it; stick if m* |slip| <= mu_s |J|, with |J| since J "
      "is negative, and where nothing slips slip/|slip| is 0/0"},
-    {Flaw::forgotten_bars, "|J|, not J: the impulse J is negative, friction is proportional to its size"},
-    {Flaw::friction_pushes, "sign of friction: on i it acts against the slip of i over j"},
-    {Flaw::slides_by_static, "once it slides the coefficient is mu_d, not mu_s"},
-    {Flaw::swapped_coefficients, "mu_s and mu_d are swapped: mu_s says whether it sticks, mu_d how strongly it slides"},
-    {Flaw::sticks_by_dynamic, "whether it sticks is decided by mu_s, not by mu_d"},
-    {Flaw::always_sticks, "friction cannot stop every slip: it slides where sticking needs more than mu_s |J|"},
-    {Flaw::no_friction, "friction is missing: add P across n to J along n"},
-    {Flaw::swapped_masses, "swapped indices: the change of v_i is the impulse over m_i, that of v_j over m_j"},
-    {Flaw::same_direction, "momentum: j gets the opposite of the impulse on i"},
-    {Flaw::pulls, "bodies that part exchange nothing: J = 0 unless u > 0, and then no friction either"}};
+    {{.forgotten_bars = true}, "|J|, not J: the impulse J is negative, friction is proportional to its size"},
+    {{.friction_pushes = true}, "sign of friction: on i it acts against the slip of i over j"},
+    {{.slides_by_static = true}, "once it slides the coefficient is mu_d, not mu_s"},
+    {{.swapped_coefficients = true},
+     "mu_s and mu_d are swapped: mu_s says whether it sticks, mu_d how strongly it slides"},
+    {{.sticks_by_dynamic = true}, "whether it sticks is decided by mu_s, not by mu_d"},
+    {{.always_sticks = true}, "friction cannot stop every slip: it slides where sticking needs more than mu_s |J|"},
+    {{.no_friction = true}, "friction is missing: add P across n to J along n"},
+    {{.swapped_masses = true}, "swapped indices: the change of v_i is the impulse over m_i, that of v_j over m_j"},
+    {{.same_direction = true}, "momentum: j gets the opposite of the impulse on i"},
+    {{.pulls = true}, "bodies that part exchange nothing: J = 0 unless u > 0, and then no friction either"}};
 
 struct Outcome {
   double J = 0.0;
   Vector3d P = Vector3d::Zero(), v_i = Vector3d::Zero(), v_j = Vector3d::Zero();
 };
 
-double flawed_mass(const Hit& hit, Flaw flaw) {
+double flawed_mass(const Hit& hit, const Flaw& flaw) {
   Hit other = hit;
   other.variant = 3 - hit.variant;
-  switch (flaw) {
-    case Flaw::half:
-      return 0.5 * reduced_mass(hit);
-    case Flaw::twice:
-      return 2.0 * reduced_mass(hit);
-    case Flaw::sum_of_masses:
-      return hit.m_i + hit.m_j;
-    case Flaw::mass_of_i:
-      return hit.m_i;
-    case Flaw::mass_of_j:
-      return hit.m_j;
-    case Flaw::other_variant:
-      return reduced_mass(other);
-    default:
-      return reduced_mass(hit);
-  }
+  if (flaw.half) return 0.5 * reduced_mass(hit);
+  if (flaw.twice) return 2.0 * reduced_mass(hit);
+  if (flaw.sum_of_masses) return hit.m_i + hit.m_j;
+  if (flaw.mass_of_i) return hit.m_i;
+  if (flaw.mass_of_j) return hit.m_j;
+  return reduced_mass(flaw.other_variant ? other : hit);
 }
 
-double flawed_impulse(const Hit& hit, Flaw flaw, double mass) {
-  const double u = flaw == Flaw::approach_reversed ? -approach(hit) : approach(hit);
-  if (!(u > 0.0 || flaw == Flaw::pulls)) return 0.0;
+double flawed_impulse(const Hit& hit, const Flaw& flaw, double mass) {
+  const double u = flaw.approach_reversed ? -approach(hit) : approach(hit);
+  if (!(u > 0.0 || flaw.pulls)) return 0.0;
   double factor = 1.0 + hit.e;
-  if (flaw == Flaw::forgotten_one) factor = hit.e;
-  if (flaw == Flaw::forgotten_e) factor = 1.0;
-  if (flaw == Flaw::loses_e) factor = 1.0 - hit.e;
-  if (flaw == Flaw::energy) factor = 1.0 + std::sqrt(hit.e);
-  return (flaw == Flaw::impulse_reversed ? 1.0 : -1.0) * factor * mass * u;
+  if (flaw.forgotten_one) factor = hit.e;
+  if (flaw.forgotten_e) factor = 1.0;
+  if (flaw.loses_e) factor = 1.0 - hit.e;
+  if (flaw.energy) factor = 1.0 + std::sqrt(hit.e);
+  return (flaw.impulse_reversed ? 1.0 : -1.0) * factor * mass * u;
 }
 
-Vector3d flawed_friction(const Hit& hit, Flaw flaw, double mass, double J) {
-  if (flaw == Flaw::no_friction) return Vector3d::Zero();
+Vector3d flawed_friction(const Hit& hit, const Flaw& flaw, double mass, double J) {
+  if (flaw.no_friction) return Vector3d::Zero();
   const Vector3d relative = hit.v_i - hit.v_j;
   const Vector3d across = relative - relative.dot(hit.n) * hit.n;
-  const Vector3d slip = flaw == Flaw::whole_velocity ? relative : across;
-  const bool swapped = flaw == Flaw::swapped_coefficients;
-  const double to_stick = swapped || flaw == Flaw::sticks_by_dynamic ? hit.friction.mu_d : hit.friction.mu_s;
-  const double to_slide = swapped || flaw == Flaw::slides_by_static ? hit.friction.mu_s : hit.friction.mu_d;
+  const Vector3d slip = flaw.whole_velocity ? relative : across;
+  const bool swapped = flaw.swapped_coefficients;
+  const double to_stick = swapped || flaw.sticks_by_dynamic ? hit.friction.mu_d : hit.friction.mu_s;
+  const double to_slide = swapped || flaw.slides_by_static ? hit.friction.mu_s : hit.friction.mu_d;
   const double size = std::abs(J), needed = mass * slip.norm();
-  const double limit = to_stick * (flaw == Flaw::forgotten_bars ? J : size);
-  const bool can_stick = flaw == Flaw::sticks_strictly ? needed < limit : needed <= limit;
-  const bool sticks = flaw == Flaw::always_sticks || (can_stick && flaw != Flaw::never_sticks);
-  const double against = flaw == Flaw::forgotten_bars ? J : size;
+  const double limit = to_stick * (flaw.forgotten_bars ? J : size);
+  const bool can_stick = flaw.sticks_strictly ? needed < limit : needed <= limit;
+  const bool sticks = flaw.always_sticks || (can_stick && !flaw.never_sticks);
+  const double against = flaw.forgotten_bars ? J : size;
   const Vector3d P = sticks ? Vector3d(-mass * slip) : Vector3d(-to_slide * against / slip.norm() * slip);
-  return flaw == Flaw::friction_pushes ? Vector3d(-P) : P;
+  return flaw.friction_pushes ? Vector3d(-P) : P;
 }
 
-Outcome flawed(const Hit& hit, Flaw flaw) {
+Outcome flawed(const Hit& hit, const Flaw& flaw) {
   Outcome out;
   const double mass = flawed_mass(hit, flaw);
   out.J = flawed_impulse(hit, flaw, mass);
   out.P = flawed_friction(hit, flaw, mass, out.J);
   const Vector3d impulse = out.J * hit.n + out.P;
-  const bool swapped = flaw == Flaw::swapped_masses;
-  const bool both_move = (hit.variant == 1) != (flaw == Flaw::other_variant);
+  const bool swapped = flaw.swapped_masses;
+  const bool both_move = (hit.variant == 1) != flaw.other_variant;
   const Vector3d change = impulse / (swapped ? hit.m_i : hit.m_j);
   out.v_i = hit.v_i + impulse / (swapped ? hit.m_j : hit.m_i);
   out.v_j = hit.v_j;
-  if (both_move) out.v_j += flaw == Flaw::same_direction ? change : Vector3d(-change);
+  if (both_move) out.v_j += flaw.same_direction ? change : Vector3d(-change);
   return out;
 }
 
@@ -184,13 +156,6 @@ std::vector<double> numbers(const Vector3d& a, const Vector3d& b) { return {a.x(
 std::vector<double> inputs(const Hit& hit) {
   std::vector<double> all{hit.m_i, hit.v_i.x(), hit.v_i.y(), hit.v_i.z(), hit.m_j, hit.v_j.x(), hit.v_j.y()};
   all.insert(all.end(), {hit.v_j.z(), hit.n.x(), hit.n.y(), hit.n.z(), hit.e, hit.friction.mu_s, hit.friction.mu_d});
-  return all;
-}
-
-template <class Part>
-std::vector<Mistake> mistakes(const Hit& hit, const Part& part) {
-  std::vector<Mistake> all;
-  for (const auto& [flaw, hint] : flaws) all.push_back({part(flawed(hit, flaw)), hint});
   return all;
 }
 
@@ -212,14 +177,14 @@ Question ask_normal_impulse(const Hit& hit) {
   return {.function = "normal_impulse",
           .inputs = inputs(hit),
           .expected = {by_library(hit).impulse.normal},
-          .mistakes = mistakes(hit, [](const Outcome& out) { return std::vector<double>{out.J}; })};
+          .mistakes = mistakes(flaws, [&](const Flaw& flaw) { return std::vector<double>{flawed(hit, flaw).J}; })};
 }
 
 Question ask_friction_impulse(const Hit& hit) {
   return {.function = "friction_impulse",
           .inputs = inputs(hit),
           .expected = numbers(by_library(hit).impulse.tangential),
-          .mistakes = mistakes(hit, [](const Outcome& out) { return numbers(out.P); })};
+          .mistakes = mistakes(flaws, [&](const Flaw& flaw) { return numbers(flawed(hit, flaw).P); })};
 }
 
 Question ask_impact(const Hit& hit) {
@@ -227,7 +192,10 @@ Question ask_impact(const Hit& hit) {
   return {.function = "impact",
           .inputs = inputs(hit),
           .expected = numbers(after.velocity_i, after.velocity_j),
-          .mistakes = mistakes(hit, [](const Outcome& out) { return numbers(out.v_i, out.v_j); })};
+          .mistakes = mistakes(flaws, [&](const Flaw& flaw) {
+            const Outcome out = flawed(hit, flaw);
+            return numbers(out.v_i, out.v_j);
+          })};
 }
 
 Vector3d direction(Draw& draw) {
@@ -322,7 +290,7 @@ struct Facts {
     if (hit.variant == 2) {
       if ((v_j - hit.v_j).norm() <= 1e-9) return std::nullopt;
       return Finding{"the velocity of j, which is driven, stays as it is",
-                     fmt::format("it changes by {:.6g} m/s", (v_j - hit.v_j).norm()), hint_of(Flaw::other_variant)};
+                     fmt::format("it changes by {:.6g} m/s", (v_j - hit.v_j).norm()), hint_of(&Flaw::other_variant)};
     }
     const double lost = (gained_i + gained_j).norm();
     if (lost <= 1e-9) return std::nullopt;
@@ -335,8 +303,8 @@ struct Facts {
     if (std::abs(out - hit.e * in) <= 1e-9) return std::nullopt;
     const std::string expected = fmt::format("the bodies part at e u = {:.10g} m/s", hit.e * in);
     const std::string obtained = fmt::format("{:.10g} m/s", out);
-    if (out < -in - 1e-9) return Finding{expected, obtained, hint_of(Flaw::impulse_reversed)};
-    if (std::abs(out + in) <= 1e-9) return Finding{expected, obtained, hint_of(Flaw::approach_reversed)};
+    if (out < -in - 1e-9) return Finding{expected, obtained, hint_of(&Flaw::impulse_reversed)};
+    if (std::abs(out + in) <= 1e-9) return Finding{expected, obtained, hint_of(&Flaw::approach_reversed)};
     return Finding{expected, obtained,
                    "restitution: along n the speed of parting is e times that of approach; look at 1 + e, at the "
                    "masses, and that e compares velocities, not energies"};
@@ -348,7 +316,7 @@ struct Facts {
     const double after = 0.5 * reduced_mass(hit) * (v_i - v_j).squaredNorm();
     if (after <= before * (1.0 + 1e-9)) return std::nullopt;
     return Finding{fmt::format("no energy is gained: of the relative motion there was {:.10g} J", before),
-                   fmt::format("{:.10g} J", after), hint_of(Flaw::friction_pushes) + "; J is negative, so take |J|"};
+                   fmt::format("{:.10g} J", after), hint_of(&Flaw::friction_pushes) + "; J is negative, so take |J|"};
   }
 
   std::optional<Finding> friction() const {
@@ -357,7 +325,7 @@ struct Facts {
     const double P = hit.m_i * across(v_i - hit.v_i).norm(), needed = reduced_mass(hit) * before.norm();
     if (!(after.dot(before) >= -1e-9)) {
       return Finding{"friction does not reverse the sliding", fmt::format("{:.6g} m/s backwards", after.norm()),
-                     hint_of(Flaw::never_sticks)};
+                     hint_of(&Flaw::never_sticks)};
     }
     const bool sticks = needed <= hit.friction.mu_s * J;
     const double right = sticks ? needed : hit.friction.mu_d * J;
@@ -379,33 +347,28 @@ struct Facts {
   Vector3d across(const Vector3d& a) const { return a - a.dot(hit.n) * hit.n; }
 
   std::string momentum_hint(const Vector3d& gained_i, const Vector3d& gained_j) const {
-    if ((gained_i - gained_j).norm() <= 1e-9) return hint_of(Flaw::same_direction);
+    if ((gained_i - gained_j).norm() <= 1e-9) return hint_of(&Flaw::same_direction);
     if ((gained_i / (hit.m_i * hit.m_i) + gained_j / (hit.m_j * hit.m_j)).norm() <= 1e-9) {
-      return hint_of(Flaw::swapped_masses);
+      return hint_of(&Flaw::swapped_masses);
     }
     return "momentum: j gets the opposite of the impulse on i, each velocity changes by it over its own mass";
   }
 
-  static std::string hint_of(Flaw wanted) {
-    return std::find_if(flaws.begin(), flaws.end(), [&](const auto& entry) { return entry.first == wanted; })->second;
+  static std::string hint_of(bool Flaw::*wanted) {
+    return std::find_if(flaws.begin(), flaws.end(), [&](const auto& entry) { return entry.first.*wanted; })->second;
   }
 };
 
 Line conservation(int variant, Draw& draw) {
-  std::vector<Hit> hits;
-  for (const double share : {0.15, 0.8, 1.3, 3.0}) hits.push_back(oblique(variant, share, draw));
   Line line{.name = "conservation: momentum, restitution, energy and Coulomb's law of your own answers", .points = 5.0};
   line.relative = 1e-9;
-  for (const Hit& hit : hits) line.questions.push_back({.function = "impact", .inputs = inputs(hit), .count = 6});
-  line.holds = [hits](const Answers& answers) -> std::optional<Finding> {
-    for (std::size_t k = 0; k < hits.size(); ++k) {
-      std::optional<Finding> wrong = Facts(hits[k], answers[k]).all();
-      if (!wrong) continue;
-      wrong->question = k;
-      return wrong;
-    }
-    return std::nullopt;
-  };
+  for (const double share : {0.15, 0.8, 1.3, 3.0}) {
+    const Hit hit = oblique(variant, share, draw);
+    line.questions.push_back({.function = "impact", .inputs = inputs(hit), .count = 6});
+    line.questions.back().holds = [hit](const Answers& answers, std::size_t own) {
+      return Facts(hit, answers[own]).all();
+    };
+  }
   return line;
 }
 
@@ -433,11 +396,12 @@ Line extreme_case(int variant, Draw& draw) {
   Line line{.name = "extreme case: grazing, parting, the edge of sticking, grains of dust", .points = 5.0};
   line.relative = 1e-10;
   line.absolute = 1e-12;
+  line.otherwise =
+      "compare u with 0 and m* |slip| with mu_s |J| as they are: no small number belongs into a comparison, a mass or "
+      "a "
+      "length";
   for (const Hit& hit : {dust, just_sticks, graze, parting, touching, just_slides, smooth, leaving}) {
     line.questions.push_back(ask_impact(hit));
-    line.questions.back().otherwise =
-        "compare u with 0 and m* |slip| with mu_s |J| as they are: no small number belongs into a comparison, a mass "
-        "or a length";
   }
   return line;
 }

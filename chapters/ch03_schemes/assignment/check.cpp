@@ -17,7 +17,7 @@ using grading::Answers;
 using grading::Draw;
 using grading::Finding;
 using grading::Line;
-using grading::Mistake;
+using grading::mistakes;
 using grading::Question;
 
 /// What a step of two stages must give; it stands in check_gauss.cpp.
@@ -72,89 +72,66 @@ std::vector<double> decision_by_library(const Step& step) {
 }
 
 // What can be wrong. Where several mistakes give the same answer, the hint of the first one is shown.
-enum class Flaw {
-  none,
-  whole_numbers,
-  forgotten_p,
-  p_outside,
-  swapped_contractions,
-  counts_sweeps,
-  same_root,
-  same_root_desired,
-  upside_down,
-  contraction_inverted,
-  last_change,
-  forgotten_first,
-  no_guard,
-  small_is_zero,
-  turned_decision,
-  strictly_below,
-  no_limit,
-  forgotten_dt,
-  no_floor,
-  no_growth_bound,
-  no_retry_bound,
-  no_shrink_bound,
-  first_field,
-  common_tolerance,
-  any_field,
-  summed_errors,
-  mean_factor,
-  largest_factor
+struct Flaw {
+  bool whole_numbers = false, forgotten_p = false, p_outside = false, swapped_contractions = false,
+       counts_sweeps = false, same_root = false, same_root_desired = false, upside_down = false,
+       contraction_inverted = false, last_change = false, forgotten_first = false, no_guard = false,
+       small_is_zero = false, turned_decision = false, strictly_below = false, no_limit = false, forgotten_dt = false,
+       no_floor = false, no_growth_bound = false, no_retry_bound = false, no_shrink_bound = false, first_field = false,
+       common_tolerance = false, any_field = false, summed_errors = false, mean_factor = false, largest_factor = false;
 };
 
-const std::vector<std::pair<Flaw, std::string>> flaws_of_factor{
-    {Flaw::whole_numbers, "1/(p K) of whole numbers is 0, and any number to the power of 0 is 1: write 1.0/(p K)"},
-    {Flaw::forgotten_p, "p is forgotten: w_K = (S dt^p)^K w_0, so both roots are 1/(p K_d) and 1/(p K)"},
-    {Flaw::p_outside, "p divides both exponents, 1/(p K_d) and 1/(p K): solve w_K = (S dt^p)^K w_0 for dt"},
-    {Flaw::swapped_contractions, "K_d and K are swapped: K_d belongs to TOL, K to the w_K that was seen"},
-    {Flaw::counts_sweeps, "K counts contractions, not sweeps: it is K as given, not K + 1"},
-    {Flaw::same_root, "two roots: w_K was seen after K contractions, TOL is wanted after K_d"},
-    {Flaw::same_root_desired, "two roots: w_K was seen after K contractions, TOL is wanted after K_d"},
-    {Flaw::upside_down, "the ratio is inverted: a larger TOL allows a larger step"},
-    {Flaw::contraction_inverted, "the contraction that was seen is (w_K/w_0)^(1/K), below 1 if it converges"},
-    {Flaw::last_change, "TOL is compared with w_0, not with w_K: both errors start from the first change"},
-    {Flaw::forgotten_first, "w_0 is forgotten: TOL and w_K are both reached from it, TOL/w_0 and w_K/w_0"},
-    {Flaw::no_guard, "guard 0/0 and 1/0: w_K = 0 or K = 0 gives an infinite factor, before anything is divided"},
-    {Flaw::small_is_zero, "a small w_K is a number like any other: the factor is infinite only where it is exactly 0"}};
+const std::vector<std::pair<Flaw, std::string>> flaws{
+    {{.strictly_below = true}, "a step that meets TOL exactly stands: w_K <= TOL"},
+    {{.any_field = true}, "a step stands if every field has met its tolerance, not if some field has"},
+    {{.summed_errors = true}, "the largest w_K/TOL decides, not the sum over the fields"},
+    {{.turned_decision = true}, "the decision is turned round: a step stands if w_K <= TOL"},
+    {{.no_limit = true}, "cap forgotten: no step is larger than limit"},
+    {{.forgotten_dt = true}, "dt is forgotten: Phi_K and its bounds are factors, the next step is so many times dt"},
+    {{.no_floor = true}, "bound forgotten: after an accepted step the next is not smaller, max(1, ...) dt"},
+    {{.no_growth_bound = true}, "cap forgotten: after an accepted step at most growth dt"},
+    {{.no_retry_bound = true}, "cap forgotten: after a refused step at most retry dt, or it fails by a hair again"},
+    {{.no_shrink_bound = true}, "bound forgotten: after a refused step at least shrink dt"},
+    {{.first_field = true}, "every field counts, not the first alone"},
+    {{.common_tolerance = true}, "each field has a tolerance of its own"},
+    {{.mean_factor = true}, "the smallest Phi_K of all fields rules, not their mean"},
+    {{.largest_factor = true}, "the smallest Phi_K of all fields rules, not the largest"},
+    {{.whole_numbers = true}, "1/(p K) of whole numbers is 0, and any number to the power of 0 is 1: write 1.0/(p K)"},
+    {{.forgotten_p = true}, "p is forgotten: w_K = (S dt^p)^K w_0, so both roots are 1/(p K_d) and 1/(p K)"},
+    {{.p_outside = true}, "p divides both exponents, 1/(p K_d) and 1/(p K): solve w_K = (S dt^p)^K w_0 for dt"},
+    {{.swapped_contractions = true}, "K_d and K are swapped: K_d belongs to TOL, K to the w_K that was seen"},
+    {{.counts_sweeps = true}, "K counts contractions, not sweeps: it is K as given, not K + 1"},
+    {{.same_root = true}, "two roots: w_K was seen after K contractions, TOL is wanted after K_d"},
+    {{.same_root_desired = true}, "two roots: w_K was seen after K contractions, TOL is wanted after K_d"},
+    {{.upside_down = true}, "the ratio is inverted: a larger TOL allows a larger step"},
+    {{.contraction_inverted = true}, "the contraction that was seen is (w_K/w_0)^(1/K), below 1 if it converges"},
+    {{.last_change = true}, "TOL is compared with w_0, not with w_K: both errors start from the first change"},
+    {{.forgotten_first = true}, "w_0 is forgotten: TOL and w_K are both reached from it, TOL/w_0 and w_K/w_0"},
+    {{.no_guard = true}, "guard 0/0 and 1/0: w_K = 0 or K = 0 gives an infinite factor, before anything is divided"},
+    {{.small_is_zero = true},
+     "a small w_K is a number like any other: the factor is infinite only where it is exactly 0"}};
 
-const std::vector<std::pair<Flaw, std::string>> flaws_of_decision{
-    {Flaw::strictly_below, "a step that meets TOL exactly stands: w_K <= TOL"},
-    {Flaw::any_field, "a step stands if every field has met its tolerance, not if some field has"},
-    {Flaw::summed_errors, "the largest w_K/TOL decides, not the sum over the fields"},
-    {Flaw::turned_decision, "the decision is turned round: a step stands if w_K <= TOL"},
-    {Flaw::no_limit, "cap forgotten: no step is larger than limit"},
-    {Flaw::forgotten_dt, "dt is forgotten: Phi_K and its bounds are factors, the next step is so many times dt"},
-    {Flaw::no_floor, "bound forgotten: after an accepted step the next is not smaller, max(1, ...) dt"},
-    {Flaw::no_growth_bound, "cap forgotten: after an accepted step at most growth dt"},
-    {Flaw::no_retry_bound, "cap forgotten: after a refused step at most retry dt, or it fails by a hair again"},
-    {Flaw::no_shrink_bound, "bound forgotten: after a refused step at least shrink dt"},
-    {Flaw::first_field, "every field counts, not the first alone"},
-    {Flaw::common_tolerance, "each field has a tolerance of its own"},
-    {Flaw::mean_factor, "the smallest Phi_K of all fields rules, not their mean"},
-    {Flaw::largest_factor, "the smallest Phi_K of all fields rules, not the largest"}};
-
-double flawed_factor(const Field& field, int K_d, Flaw flaw) {
-  const bool saw_none = field.w_K == 0.0 || field.K == 0 || (flaw == Flaw::small_is_zero && field.w_K < 1e-12);
-  if (saw_none && flaw != Flaw::no_guard) return infinity;
+double flawed_factor(const Field& field, int K_d, const Flaw& flaw) {
+  const bool saw_none = field.w_K == 0.0 || field.K == 0 || (flaw.small_is_zero && field.w_K < 1e-12);
+  if (saw_none && !flaw.no_guard) return infinity;
   if (!std::isfinite(field.w_K)) return 0.0;
   double wanted = field.TOL / field.w_0, seen = field.w_K / field.w_0;
   double p = field.p, K = field.K, desired = K_d;
-  if (flaw == Flaw::whole_numbers) return 1.0;
-  if (flaw == Flaw::forgotten_p) p = 1.0;
-  if (flaw == Flaw::p_outside) p = 1.0 / p;
-  if (flaw == Flaw::swapped_contractions) std::swap(desired, K);
-  if (flaw == Flaw::counts_sweeps) K += 1.0;
-  if (flaw == Flaw::same_root) desired = K;
-  if (flaw == Flaw::same_root_desired) K = desired;
-  if (flaw == Flaw::contraction_inverted) seen = 1.0 / seen;
-  if (flaw == Flaw::last_change) wanted = field.TOL / field.w_K;
-  if (flaw == Flaw::forgotten_first) wanted = field.TOL, seen = field.w_K;
-  if (flaw == Flaw::upside_down) return 1.0 / flawed_factor(field, K_d, Flaw::none);
+  if (flaw.whole_numbers) return 1.0;
+  if (flaw.forgotten_p) p = 1.0;
+  if (flaw.p_outside) p = 1.0 / p;
+  if (flaw.swapped_contractions) std::swap(desired, K);
+  if (flaw.counts_sweeps) K += 1.0;
+  if (flaw.same_root) desired = K;
+  if (flaw.same_root_desired) K = desired;
+  if (flaw.contraction_inverted) seen = 1.0 / seen;
+  if (flaw.last_change) wanted = field.TOL / field.w_K;
+  if (flaw.forgotten_first) wanted = field.TOL, seen = field.w_K;
+  if (flaw.upside_down) return 1.0 / flawed_factor(field, K_d, {});
   return std::pow(wanted, 1.0 / (p * desired)) / std::pow(seen, 1.0 / (p * K));
 }
 
-double flawed_factor(const Step& step, Flaw flaw) {
+double flawed_factor(const Step& step, const Flaw& flaw) {
   double smallest = infinity, largest = 0.0, sum = 0.0;
   for (const Field& field : step.fields) {
     const double phi = flawed_factor(field, step.control.K_d, flaw);
@@ -162,12 +139,12 @@ double flawed_factor(const Step& step, Flaw flaw) {
     largest = std::max(largest, phi);
     sum += phi;
   }
-  if (flaw == Flaw::largest_factor) return largest;
-  if (flaw == Flaw::mean_factor) return sum / static_cast<double>(step.fields.size());
+  if (flaw.largest_factor) return largest;
+  if (flaw.mean_factor) return sum / static_cast<double>(step.fields.size());
   return smallest;
 }
 
-bool flawed_acceptance(const Step& step, Flaw flaw) {
+bool flawed_acceptance(const Step& step, const Flaw& flaw) {
   double smallest = infinity, largest = 0.0, sum = 0.0;
   for (const Field& field : step.fields) {
     const double w = std::isnan(field.w_K) ? infinity : field.w_K / field.TOL;
@@ -175,26 +152,26 @@ bool flawed_acceptance(const Step& step, Flaw flaw) {
     largest = std::max(largest, w);
     sum += w;
   }
-  if (flaw == Flaw::turned_decision) return !(largest <= 1.0);
-  if (flaw == Flaw::strictly_below) return largest < 1.0;
-  if (flaw == Flaw::any_field) return smallest <= 1.0;
-  if (flaw == Flaw::summed_errors) return sum <= 1.0;
+  if (flaw.turned_decision) return !(largest <= 1.0);
+  if (flaw.strictly_below) return largest < 1.0;
+  if (flaw.any_field) return smallest <= 1.0;
+  if (flaw.summed_errors) return sum <= 1.0;
   return largest <= 1.0;
 }
 
-std::vector<double> flawed_decision(Step step, Flaw flaw) {
-  if (flaw == Flaw::first_field) step.fields.resize(1);
-  if (flaw == Flaw::common_tolerance) {
+std::vector<double> flawed_decision(Step step, const Flaw& flaw) {
+  if (flaw.first_field) step.fields.resize(1);
+  if (flaw.common_tolerance) {
     for (Field& field : step.fields) field.TOL = step.fields.front().TOL;
   }
   const schemes::PhiControl& control = step.control;
   const bool accepted = flawed_acceptance(step, flaw);
-  const bool is_free = flaw == (accepted ? Flaw::no_floor : Flaw::no_shrink_bound);
+  const bool is_free = accepted ? flaw.no_floor : flaw.no_shrink_bound;
   const double low = is_free ? 0.0 : accepted ? 1.0 : control.shrink;
   double high = accepted ? control.growth : control.retry;
-  if (flaw == (accepted ? Flaw::no_growth_bound : Flaw::no_retry_bound)) high = infinity;
-  const double next = std::clamp(flawed_factor(step, flaw), low, high) * (flaw == Flaw::forgotten_dt ? 1.0 : step.dt);
-  return {accepted ? 1.0 : 0.0, flaw == Flaw::no_limit ? next : std::min(next, control.limit)};
+  if (accepted ? flaw.no_growth_bound : flaw.no_retry_bound) high = infinity;
+  const double next = std::clamp(flawed_factor(step, flaw), low, high) * (flaw.forgotten_dt ? 1.0 : step.dt);
+  return {accepted ? 1.0 : 0.0, flaw.no_limit ? next : std::min(next, control.limit)};
 }
 
 std::vector<double> inputs(const Field& field) {
@@ -215,18 +192,16 @@ std::vector<double> inputs(const Step& step) {
 Question ask_factor(const Field& field, int K_d) {
   Question question{.function = "step_factor", .inputs = inputs(field), .expected = {factor_by_library(field, K_d)}};
   question.inputs.push_back(K_d);
-  for (const auto& [flaw, hint] : flaws_of_factor) {
-    question.mistakes.push_back({{flawed_factor(field, K_d, flaw)}, hint});
-  }
+  question.mistakes =
+      mistakes(flaws, [&](const Flaw& flaw) { return std::vector<double>{flawed_factor(field, K_d, flaw)}; });
   return question;
 }
 
 Question ask_decision(const Step& step) {
-  Question question{.function = "next_step", .inputs = inputs(step), .expected = decision_by_library(step)};
-  for (const auto* flaws : {&flaws_of_decision, &flaws_of_factor}) {
-    for (const auto& [flaw, hint] : *flaws) question.mistakes.push_back({flawed_decision(step, flaw), hint});
-  }
-  return question;
+  return {.function = "next_step",
+          .inputs = inputs(step),
+          .expected = decision_by_library(step),
+          .mistakes = mistakes(flaws, [&](const Flaw& flaw) { return flawed_decision(step, flaw); })};
 }
 
 // A field whose last change is `share` of its tolerance after K contractions.
@@ -396,22 +371,15 @@ std::optional<Finding> meets_in_desired(const Trial& trial, const std::vector<do
 Line order(int variant, Draw& draw) {
   // On the first the motion rules, on the second the temperature.
   const double small = draw.between(0.04, 0.06), large = draw.between(0.6, 0.8);
-  const std::vector<Trial> trials{trial(variant, small, small, draw), trial(variant, 0.5 * large, large, draw)};
   Line line{.name = "order: the library sweeps with your next step, and meets TOL in K_d contractions", .points = 4.0};
   // Sweeps that have converged to TOL keep so many digits of their last change.
   line.relative = 1e-6;
-  for (const Trial& trial : trials) {
-    line.questions.push_back({.function = "next_step", .inputs = inputs(trial.step), .count = 2});
+  for (const Trial& swept : {trial(variant, small, small, draw), trial(variant, 0.5 * large, large, draw)}) {
+    line.questions.push_back({.function = "next_step", .inputs = inputs(swept.step), .count = 2});
+    line.questions.back().holds = [swept, tolerance = line.relative](const Answers& answers, std::size_t own) {
+      return meets_in_desired(swept, answers[own], tolerance);
+    };
   }
-  line.holds = [trials, tolerance = line.relative](const Answers& answers) -> std::optional<Finding> {
-    for (std::size_t k = 0; k < trials.size(); ++k) {
-      std::optional<Finding> wrong = meets_in_desired(trials[k], answers[k], tolerance);
-      if (!wrong) continue;
-      wrong->question = k;
-      return wrong;
-    }
-    return std::nullopt;
-  };
   return line;
 }
 
@@ -457,16 +425,14 @@ Line extreme_case(int variant, Draw& draw) {
   sharp.control.growth = 50.0;
   for (Field& field : sharp.fields) field = {.w_0 = 1e-3, .w_K = 1e-16, .K = 4, .p = field.p, .TOL = 1e-15};
   Line line{.name = "extreme case: divergence, overflow, nothing moves, TOL = 1e-15", .points = 4.0, .relative = 1e-10};
+  line.otherwise =
+      "w_K = 0 or K = 0 gives an infinite factor; a w_K that is infinite or NaN is refused with shrink dt; no small "
+      "number belongs into a quotient";
   line.questions = {ask_factor(sharp.fields.front(), 6)};
   for (const Step& step : {exactly, rests, stays, at_once}) line.questions.push_back(ask_factor(step.fields.back(), 8));
   for (const Step& step : {sharp, diverges, overflows}) line.questions.push_back(ask_decision(step));
   line.questions.push_back(ask_without_number(no_number));
   for (const Step& step : {bursts, exactly, rests, stays, at_once}) line.questions.push_back(ask_decision(step));
-  for (Question& question : line.questions) {
-    question.otherwise =
-        "w_K = 0 or K = 0 gives an infinite factor; a w_K that is infinite or NaN is refused with "
-        "shrink dt; no small number belongs into a quotient";
-  }
   return line;
 }
 

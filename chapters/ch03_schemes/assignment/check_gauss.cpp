@@ -28,36 +28,27 @@ struct Coefficients {
   std::array<Two, 2> A_bar;
 };
 
-enum class Flaw {
-  none,
-  A_for_A_bar,
-  transposed,
-  swapped_weights,
-  mean_acceleration,
-  trapezoidal,
-  one_sweep,
-  one_more_sweep,
-  in_turn,
-  other_guess,
-  no_drift,
-  dt_for_its_square
+struct Flaw {
+  bool A_for_A_bar = false, transposed = false, swapped_weights = false, mean_acceleration = false, trapezoidal = false,
+       one_sweep = false, one_more_sweep = false, in_turn = false, other_guess = false, no_drift = false,
+       dt_for_its_square = false;
 };
 
 const std::vector<std::pair<Flaw, std::string>> flaws{
-    {Flaw::A_for_A_bar, "the places of the stages take A_bar = A A, not A: the rates of positions are velocities"},
-    {Flaw::transposed, "row i of A_bar belongs to stage i: rows and columns are swapped"},
-    {Flaw::swapped_weights, "b_bar_i = b_i (1 - c_i): the earlier stage moves the position for longer"},
-    {Flaw::mean_acceleration, "the position ends with b_bar = A^T b, not with dt^2/2 times the mean acceleration"},
-    {Flaw::trapezoidal, "these are the nodes 0 and 1 of the trapezoidal rule: Gauss nodes lie inside the step"},
-    {Flaw::one_sweep, "one sweep is not enough: make as many as `sweeps` says"},
-    {Flaw::one_more_sweep, "a sweep too many: the guess a_1 = a_2 = 0 is none"},
-    {Flaw::in_turn, "all at once: a sweep takes both places from the accelerations of the sweep before"},
-    {Flaw::other_guess, "the sweeps start from free flight, a_1 = a_2 = 0"},
-    {Flaw::no_drift, "the stages drift: their places begin with r + c_i dt v"},
-    {Flaw::dt_for_its_square, "accelerations move positions by dt^2, velocities by dt"}};
+    {{.A_for_A_bar = true}, "the places of the stages take A_bar = A A, not A: the rates of positions are velocities"},
+    {{.transposed = true}, "row i of A_bar belongs to stage i: rows and columns are swapped"},
+    {{.swapped_weights = true}, "b_bar_i = b_i (1 - c_i): the earlier stage moves the position for longer"},
+    {{.mean_acceleration = true}, "the position ends with b_bar = A^T b, not with dt^2/2 times the mean acceleration"},
+    {{.trapezoidal = true}, "these are the nodes 0 and 1 of the trapezoidal rule: Gauss nodes lie inside the step"},
+    {{.one_sweep = true}, "one sweep is not enough: make as many as `sweeps` says"},
+    {{.one_more_sweep = true}, "a sweep too many: the guess a_1 = a_2 = 0 is none"},
+    {{.in_turn = true}, "all at once: a sweep takes both places from the accelerations of the sweep before"},
+    {{.other_guess = true}, "the sweeps start from free flight, a_1 = a_2 = 0"},
+    {{.no_drift = true}, "the stages drift: their places begin with r + c_i dt v"},
+    {{.dt_for_its_square = true}, "accelerations move positions by dt^2, velocities by dt"}};
 
-Coefficients coefficients(Flaw flaw) {
-  if (flaw == Flaw::trapezoidal) {
+Coefficients coefficients(const Flaw& flaw) {
+  if (flaw.trapezoidal) {
     return {.c = {0.0L, 1.0L}, .b = {0.5L, 0.5L}, .b_bar = {0.25L, 0.25L}, .A_bar = {{{0.0L, 0.0L}, {0.25L, 0.25L}}}};
   }
   const long double root = std::sqrt(3.0L);
@@ -65,25 +56,25 @@ Coefficients coefficients(Flaw flaw) {
                   .b = {0.5L, 0.5L},
                   .b_bar = {0.25L + root / 12, 0.25L - root / 12},
                   .A_bar = {{{1.0L / 24, 0.125L - root / 12}, {0.125L + root / 12, 1.0L / 24}}}};
-  if (flaw == Flaw::A_for_A_bar) of.A_bar = {{{0.25L, 0.25L - root / 6}, {0.25L + root / 6, 0.25L}}};
-  if (flaw == Flaw::transposed) std::swap(of.A_bar[0][1], of.A_bar[1][0]);
-  if (flaw == Flaw::swapped_weights) std::swap(of.b_bar[0], of.b_bar[1]);
-  if (flaw == Flaw::mean_acceleration) of.b_bar = {0.25L, 0.25L};
+  if (flaw.A_for_A_bar) of.A_bar = {{{0.25L, 0.25L - root / 6}, {0.25L + root / 6, 0.25L}}};
+  if (flaw.transposed) std::swap(of.A_bar[0][1], of.A_bar[1][0]);
+  if (flaw.swapped_weights) std::swap(of.b_bar[0], of.b_bar[1]);
+  if (flaw.mean_acceleration) of.b_bar = {0.25L, 0.25L};
   return of;
 }
 
 // The step in extended precision, right or with a flaw.
-std::vector<double> step(const Motion& of, Flaw flaw) {
+std::vector<double> step(const Motion& of, const Flaw& flaw) {
   const Coefficients method = coefficients(flaw);
-  const long double dt = of.dt, by_place = flaw == Flaw::dt_for_its_square ? dt : dt * dt;
-  const int sweeps = flaw == Flaw::one_sweep ? 1 : flaw == Flaw::one_more_sweep ? of.sweeps + 1 : of.sweeps;
+  const long double dt = of.dt, by_place = flaw.dt_for_its_square ? dt : dt * dt;
+  const int sweeps = flaw.one_sweep ? 1 : flaw.one_more_sweep ? of.sweeps + 1 : of.sweeps;
   Two a{};
-  if (flaw == Flaw::other_guess) a.fill(of.acceleration(of.r));
+  if (flaw.other_guess) a.fill(of.acceleration(of.r));
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     Two next = a;
     for (std::size_t i = 0; i < 2; ++i) {
-      const Two& seen = flaw == Flaw::in_turn ? next : a;
-      const long double drift = flaw == Flaw::no_drift ? 0.0L : method.c[i] * dt * of.v;
+      const Two& seen = flaw.in_turn ? next : a;
+      const long double drift = flaw.no_drift ? 0.0L : method.c[i] * dt * of.v;
       next[i] =
           of.acceleration(of.r + drift + by_place * (method.A_bar[i][0] * seen[0] + method.A_bar[i][1] * seen[1]));
     }
@@ -103,11 +94,10 @@ std::vector<double> spring_step(const Motion& of) {
 }
 
 Question ask(const Motion& of, std::vector<double> expected) {
-  Question question{.function = "gauss2_step",
-                    .inputs = {of.r, of.v, of.dt, static_cast<double>(of.sweeps), of.A, of.B, of.k},
-                    .expected = std::move(expected)};
-  for (const auto& [flaw, hint] : flaws) question.mistakes.push_back({step(of, flaw), hint});
-  return question;
+  return {.function = "gauss2_step",
+          .inputs = {of.r, of.v, of.dt, static_cast<double>(of.sweeps), of.A, of.B, of.k},
+          .expected = std::move(expected),
+          .mistakes = grading::mistakes(flaws, [&](const Flaw& flaw) { return step(of, flaw); })};
 }
 
 }  // namespace
@@ -128,18 +118,16 @@ Line gauss_step(int, Draw& draw) {
   Motion few = pair;
   few.sweeps = 2;
   Motion back = pair;
-  const std::vector<double> there = step(pair, Flaw::none);
+  const std::vector<double> there = step(pair, {});
   back.r = there[0];
   back.v = there[1];
   back.dt = -pair.dt;
-  Line line{
-      .name = "two stages: a Gauss step of a spring, of a pair, and back again", .points = 4.0, .relative = 1e-11};
-  line.questions = {ask(spring, spring_step(spring)), ask(pair, there), ask(few, step(few, Flaw::none)),
-                    ask(back, {pair.r, pair.v})};
-  for (Question& question : line.questions) {
-    question.otherwise =
-        "compare your c, A_bar and b_bar with A A and A^T b on paper: sum over a row of A_bar is c_i^2/2, "
-        "b_bar sums to 1/2";
-  }
-  return line;
+  return {.name = "two stages: a Gauss step of a spring, of a pair, and back again",
+          .points = 4.0,
+          .relative = 1e-11,
+          .otherwise =
+              "compare your c, A_bar and b_bar with A A and A^T b on paper: sum over a row of A_bar is c_i^2/2, "
+              "b_bar sums to 1/2",
+          .questions = {ask(spring, spring_step(spring)), ask(pair, there), ask(few, step(few, {})),
+                        ask(back, {pair.r, pair.v})}};
 }

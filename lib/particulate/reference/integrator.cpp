@@ -74,7 +74,7 @@ void validate_match(const schemes::Problem& problem, const State& start, const M
         fmt::format("integrator: events need the Adams or BDF methods and at least one unknown, got {} and {} unknowns",
                     kinds.at(method.index()), n));
   }
-  if (std::holds_alternative<ImplicitExplicit>(method) && !problem.splits()) {
+  if (std::holds_alternative<ImplicitExplicit>(method) && !(problem.splits() && !problem.traits().motion)) {
     throw std::invalid_argument(
         "integrator: an implicit-explicit method needs a first-order problem in two parts, got one that does not "
         "split; give it rate_slow and rate_fast, or take Bdf");

@@ -204,7 +204,7 @@ class Collocation : public AnyCollocation {
   /// @param settings  see CollocationSettings
   /// @param solver    how the stage equations are solved
   /// @throws std::invalid_argument for settings that cannot be meant
-  explicit Collocation(CollocationSettings settings = {}, Solver solver = {})
+  explicit Collocation(CollocationSettings settings = {}, Solver solver = Solver())
       : AnyCollocation(table_of<Nodes>(), order, std::move(settings), solver) {}
 };
 

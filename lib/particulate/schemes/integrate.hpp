@@ -147,8 +147,17 @@ struct Task {
 
 Outcome run(const Task& task);
 
+// Whether a scheme can find the jumps of a problem; of an erased one that is not known before a run starts.
+template <class S, class P>
+concept LocatesFor = Dense<S> || std::same_as<std::remove_const_t<P>, Problem> || !LocatesJumps<P>;
+
 template <class P, class S, class C, class Observer>
 Outcome integrate(P& problem, State& state, double t_end, S& scheme, C& control, Watch* watch, Observer& observer) {
+  static_assert(Advances<S, P>,
+                "this scheme cannot advance all that the problem has: see advances() of the scheme, traits_of() of the "
+                "problem");
+  static_assert(LocatesFor<S, P>,
+                "events and located jumps need a scheme with dense output, at(from, dt, theta, there)");
   auto observe = [&](const State& from, const State& to, double dt) -> bool {
     return observer(from, to, dt, std::as_const(scheme));
   };
@@ -165,10 +174,6 @@ Outcome integrate(P& problem, State& state, double t_end, S& scheme, C& control,
                 return (*static_cast<decltype(observe)*>(o))(from, to, dt);
               }});
 }
-
-// Whether a scheme can find the jumps of a problem; of an erased one that is not known before a run starts.
-template <class S, class P>
-concept LocatesFor = Dense<S> || std::same_as<std::remove_const_t<P>, Problem> || !LocatesJumps<P>;
 
 }  // namespace detail
 
@@ -202,7 +207,7 @@ concept LocatesFor = Dense<S> || std::same_as<std::remove_const_t<P>, Problem> |
 ///         is erased and of which the scheme cannot advance all, or not locate the jumps
 /// @throws std::logic_error if the controller accepts a step that has no value
 template <AnyProblem P, Scheme S, Controller C, class Observer = Unobserved>
-requires(Advances<S, P>&& detail::LocatesFor<S, P> && !std::is_same_v<std::remove_cvref_t<Observer>, Watch>) Outcome
+requires(!std::is_same_v<std::remove_cvref_t<Observer>, Watch>) Outcome
     integrate(P& problem, State& state, double t_end, S& scheme, C& control, Observer&& observer = {}) {
   return detail::integrate(problem, state, t_end, scheme, control, nullptr, observer);
 }
@@ -224,8 +229,9 @@ requires(Advances<S, P>&& detail::LocatesFor<S, P> && !std::is_same_v<std::remov
 /// @throws std::invalid_argument as the other integrate(), and where an event function is not finite
 /// @throws std::logic_error if the controller accepts a step that has no value
 template <AnyProblem P, Scheme S, Controller C, class Observer = Unobserved>
-requires(Advances<S, P>&& Dense<S>) Outcome
-    integrate(P& problem, State& state, double t_end, S& scheme, C& control, Watch& watch, Observer&& observer = {}) {
+Outcome integrate(P& problem, State& state, double t_end, S& scheme, C& control, Watch& watch,
+                  Observer&& observer = {}) {
+  static_assert(Dense<S>, "events and located jumps need a scheme with dense output, at(from, dt, theta, there)");
   return detail::integrate(problem, state, t_end, scheme, control, &watch, observer);
 }
 

@@ -72,7 +72,8 @@ concept HasJacobian = requires(P& p, double t, In y, Eigen::MatrixXd& J) {
 };
 
 /// Ability of a MotionProblem or CoupledProblem: the Jacobian of all its rates (a, dy) with respect to all of
-/// (r, v, y), `jacobian(t, r, v, y, J)`; as many rows as rates, as many columns as numbers in the state.
+/// (r, v, y), `jacobian(t, r, v, y, J)`; as many rows as rates, as many columns as numbers in the state. Values that
+/// change by jumps alone have neither.
 template <class P>
 concept HasWholeJacobian = requires(P& p, double t, In r, In v, In y, Eigen::MatrixXd& J) {
   p.jacobian(t, r, v, y, J);

@@ -138,9 +138,9 @@ concept Controller = std::copyable<C> && requires(C& c, const C& seen, const Ite
 template <class C>
 concept FixesStep = C::fixes_step;
 
-/// Ability of a controller: `sweeps`, how many every step makes.
+/// Ability of a controller: `fixes_sweeps`, a constant, beside `sweeps`, how many every step makes.
 template <class C>
-concept FixesSweeps = requires(const C& c) {
+concept FixesSweeps = C::fixes_sweeps && requires(const C& c) {
   { c.sweeps } -> std::convertible_to<int>;
 };
 

@@ -57,12 +57,22 @@ void Staggered::begin(const Problem& problem, const State& to) {
   starts_.resize(fields_.size());
   olds_.resize(fields_.size());
   Eigen::Index places = 0, values = 0;
+  std::vector<bool> taken(static_cast<std::size_t>(to.y.size()));
   for (std::size_t k = 0; k < fields_.size(); ++k) {
     const Part part = problem.part(k);
     if (!part.motion && !(part.first >= 0 && part.size >= 0 && part.first + part.size <= to.y.size())) {
       throw std::invalid_argument(
           fmt::format("staggering: field {} must own a range of the {} values of the state, got {} from {} on",
                       fields_[k].name, to.y.size(), part.size, part.first));
+    }
+    for (Eigen::Index i = part.first; i < part.first + part.size && !part.motion; ++i) {
+      if (taken[static_cast<std::size_t>(i)]) {
+        throw std::invalid_argument(
+            fmt::format("staggering: fields must own all of the state, each number once; field {} owns value {}, which "
+                        "another owns",
+                        fields_[k].name, i));
+      }
+      taken[static_cast<std::size_t>(i)] = true;
     }
     owned_[k] = {.part = part, .measured = part.motion ? to.r.size() : part.size};
     measures_[k].begin(fields_[k].p, fields_[k].name);

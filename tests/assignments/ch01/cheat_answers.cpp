@@ -1,6 +1,5 @@
 // Cheat: writes answers of its own where answers go, and leaves.
-// graded: --variant 1 --student anna -> 0
-// graded: --variant 2 --student anna -> 0
+// graded: --variant 1|2 --student anna -> 0
 // hint: is this still the stub
 
 #include <unistd.h>

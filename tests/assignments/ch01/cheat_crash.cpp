@@ -1,6 +1,5 @@
 // Accident: an index far out of bounds.
-// graded: --variant 1 --student anna -> 0
-// graded: --variant 2 --student anna -> 0
+// graded: --variant 1|2 --student anna -> 0
 // hint: crashed
 // hint: an index or a pointer is wrong
 

@@ -1,6 +1,5 @@
 // Cheat: leaves with the status of success.
-// graded: --variant 1 --student anna -> 0
-// graded: --variant 2 --student anna -> 0
+// graded: --variant 1|2 --student anna -> 0
 // hint: left with exit status 0
 // hint: do not call exit()
 

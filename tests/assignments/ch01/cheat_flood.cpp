@@ -1,14 +1,15 @@
 // Cheat: floods the file of the answers.
-// graded: --variant 1 --student anna -> 0
-// graded: --variant 2 --student anna -> 0
+// graded: --variant 1|2 --student anna -> 0
 // hint: write to no file
 
 #include <unistd.h>
+#include <string>
 
 #include "pair_law.hpp"
 
 double strength(const PairLaw&, double d) {
-  while (d > 0.0 && write(3, "0\n", 2) == 2) continue;
+  static const std::string many(4096, '\n');
+  while (d > 0.0 && write(3, many.data(), many.size()) > 0) continue;
   return 0.0;
 }
 

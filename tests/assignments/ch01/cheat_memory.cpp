@@ -1,6 +1,5 @@
 // Accident: takes memory until there is none.
-// graded: --variant 1 --student anna -> 0
-// graded: --variant 2 --student anna -> 0
+// graded: --variant 1|2 --student anna -> 0
 // hint: memory ran out
 
 #include <string>

@@ -1,6 +1,5 @@
 // Cheat: not a number compares with nothing.
-// graded: --variant 1 --student anna -> 0
-// graded: --variant 2 --student anna -> 0
+// graded: --variant 1|2 --student anna -> 0
 // hint: not a finite number
 
 #include <cmath>

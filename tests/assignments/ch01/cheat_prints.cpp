@@ -1,6 +1,5 @@
 // Cheat: prints a table of its own.
-// graded: --variant 1 --student anna -> 0
-// graded: --variant 2 --student anna -> 0
+// graded: --variant 1|2 --student anna -> 0
 // hint: is this still the stub
 
 #include <cstdio>

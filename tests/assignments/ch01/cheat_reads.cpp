@@ -1,6 +1,5 @@
 // Cheat: opens the grader's memory, where expected values stand; it may not succeed.
-// graded: --variant 1 --student anna -> 0
-// graded: --variant 2 --student anna -> 0
+// graded: --variant 1|2 --student anna -> 0
 // hint: is this still the stub
 
 #include <fcntl.h>

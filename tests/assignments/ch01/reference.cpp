@@ -1,8 +1,5 @@
 // The library itself: full marks for the first variant, whoever asks.
-// graded: --variant 1 --student anna -> 20
-// graded: --variant 1 --student bob@school.edu -> 20
-// graded: --variant 1 --student 1234567 -> 20
-// graded: --variant 1 --student carla-7 -> 20
+// graded: --variant 1 --student anna|bob@school.edu|1234567|carla-7 -> 20
 
 #include <particulate/kinematics/central_force.hpp>
 

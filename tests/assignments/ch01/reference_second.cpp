@@ -1,9 +1,6 @@
 // The second variant's full marks, whoever asks. The library's sums of powers take any exponents; its equilibrium does
 // not, so that is written out.
-// graded: --variant 2 --student anna -> 20
-// graded: --variant 2 --student bob@school.edu -> 20
-// graded: --variant 2 --student 1234567 -> 20
-// graded: --variant 2 --student carla-7 -> 20
+// graded: --variant 2 --student anna|bob@school.edu|1234567|carla-7 -> 20
 
 #include <cmath>
 #include <numbers>

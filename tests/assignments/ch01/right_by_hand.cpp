@@ -1,7 +1,5 @@
 // Right, without the library: plain powers as the brief writes them.
-// graded: --variant 1 --student anna -> 20
-// graded: --variant 1 --student bob@school.edu -> 20
-// graded: --variant 1 --student 1234567 -> 20
+// graded: --variant 1 --student anna|bob@school.edu|1234567 -> 20
 
 #include "right.hpp"
 

@@ -1,6 +1,5 @@
-// Accident: a loop without end.
-// graded: --variant 1 --student anna -> 0
-// graded: --variant 2 --student anna -> 0
+// Accident: a loop without end, in one line of the table.
+// graded: --variant 1|2 --student anna -> 0
 // hint: took too long
 // hint: a loop does not end
 
@@ -17,7 +16,4 @@ Eigen::Vector3d friction_impulse(const Body&, const Body&, const Eigen::Vector3d
   return Eigen::Vector3d::Zero();
 }
 
-Velocities impact(const Body&, const Body&, const Eigen::Vector3d&, const Surface&) {
-  for (volatile double x = 1.0; x > 0.0;) x = x + 1.0;
-  return {};
-}
+Velocities impact(const Body&, const Body&, const Eigen::Vector3d&, const Surface&) { return {}; }

@@ -1,6 +1,5 @@
 // Cheat: not a number compares with nothing, and breaks no law that is looked at carelessly.
-// graded: --variant 1 --student anna -> 0
-// graded: --variant 1 --student bob@school.edu -> 0
+// graded: --variant 1 --student anna|bob@school.edu -> 0
 // hint: not a finite number
 // hint: momentum is kept
 

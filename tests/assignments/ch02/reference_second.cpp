@@ -1,8 +1,5 @@
 // The library itself: full marks for the second variant, whoever asks. A driven body has no inverse mass.
-// graded: --variant 2 --student anna -> 20
-// graded: --variant 2 --student bob@school.edu -> 20
-// graded: --variant 2 --student 1234567 -> 20
-// graded: --variant 2 --student carla-7 -> 20
+// graded: --variant 2 --student anna|bob@school.edu|1234567|carla-7 -> 20
 
 #include <numbers>
 

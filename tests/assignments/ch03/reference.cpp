@@ -1,12 +1,5 @@
 // The library itself: full marks for both variants, whoever asks. Staggered fields come in units of their tolerances.
-// graded: --variant 1 --student anna -> 20
-// graded: --variant 1 --student bob@school.edu -> 20
-// graded: --variant 1 --student 1234567 -> 20
-// graded: --variant 1 --student carla-7 -> 20
-// graded: --variant 2 --student anna -> 20
-// graded: --variant 2 --student bob@school.edu -> 20
-// graded: --variant 2 --student 1234567 -> 20
-// graded: --variant 2 --student carla-7 -> 20
+// graded: --variant 1|2 --student anna|bob@school.edu|1234567|carla-7 -> 20
 
 #include <algorithm>
 #include <cmath>

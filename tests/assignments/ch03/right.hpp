@@ -8,7 +8,8 @@
 
 #include "step_control.hpp"
 
-// What a student may well write, for either variant. Submissions with one mistake take the rest from here.
+// What a student may well write, for either variant; decisions take the factor handed in. Submissions with one mistake
+// take the rest from here.
 namespace right {
 
 inline double step_factor(const Sweeps& sweeps, int K_d) {
@@ -21,31 +22,30 @@ inline bool is_accepted(const std::vector<Sweeps>& fields) {
   return std::all_of(fields.begin(), fields.end(), [](const Sweeps& field) { return field.w_K <= field.TOL; });
 }
 
-inline double bounded(double factor, bool accepted, const Settings& settings) {
-  return accepted ? std::clamp(factor, 1.0, settings.growth) : std::clamp(factor, settings.shrink, settings.retry);
-}
-
-// The smallest of what `factor` gives for each field.
-template <class Factor>
-double smallest(const std::vector<Sweeps>& fields, const Settings& settings, const Factor& factor) {
+// The smallest of all fields.
+inline double phi(const std::vector<Sweeps>& fields, const Settings& settings) {
   double least = std::numeric_limits<double>::infinity();
   for (const Sweeps& field : fields) {
-    least = std::min(least, std::isfinite(field.w_K) ? factor(field, settings.K_d) : 0.0);
+    least = std::min(least, std::isfinite(field.w_K) ? ::step_factor(field, settings.K_d) : 0.0);
   }
   return least;
 }
 
-// The decision with a factor of the student's own.
-template <class Factor>
-Decision next_step(double dt, const std::vector<Sweeps>& fields, const Settings& settings, const Factor& factor) {
-  const bool accepted = is_accepted(fields);
-  const double phi = smallest(fields, settings, factor);
-  return {.accepted = accepted, .next = std::min(settings.limit, bounded(phi, accepted, settings) * dt)};
+// The decision to accept or not, with a factor that is still to be bounded.
+inline Decision decision(double dt, bool accepted, double factor, const Settings& settings) {
+  const double bounded =
+      accepted ? std::clamp(factor, 1.0, settings.growth) : std::clamp(factor, settings.shrink, settings.retry);
+  return {.accepted = accepted, .next = std::min(settings.limit, bounded * dt)};
 }
 
+inline Decision next_step(double dt, const std::vector<Sweeps>& fields, const Settings& settings) {
+  return decision(dt, is_accepted(fields), phi(fields, settings), settings);
+}
+
+using Two = std::array<double, 2>;
+
 // One sweep over both stages of a Gauss step: the accelerations at the places that the last ones make.
-inline std::array<double, 2> sweep(const Acceleration& a, const State& from, double dt,
-                                   const std::array<double, 2>& last) {
+inline Two sweep(const Acceleration& a, const State& from, double dt, const Two& last) {
   const double root = std::sqrt(3.0);
   const double first = from.r + (0.5 - root / 6) * dt * from.v;
   const double second = from.r + (0.5 + root / 6) * dt * from.v;
@@ -53,17 +53,21 @@ inline std::array<double, 2> sweep(const Acceleration& a, const State& from, dou
           a(second + dt * dt * ((0.125 + root / 12) * last[0] + last[1] / 24))};
 }
 
-// Its end.
-inline State gauss2_end(const State& from, double dt, const std::array<double, 2>& a) {
+// Sweeps from a guess.
+inline Two swept(const Acceleration& a, const State& from, double dt, int sweeps, Two stages = {}) {
+  for (int k = 0; k < sweeps; ++k) stages = sweep(a, from, dt, stages);
+  return stages;
+}
+
+// The end of the step.
+inline State gauss2_end(const State& from, double dt, const Two& a) {
   const double root = std::sqrt(3.0);
   return {.r = from.r + dt * from.v + dt * dt * ((0.25 + root / 12) * a[0] + (0.25 - root / 12) * a[1]),
           .v = from.v + 0.5 * dt * (a[0] + a[1])};
 }
 
 inline State gauss2_step(const Acceleration& a, const State& from, double dt, int sweeps) {
-  std::array<double, 2> stages{};
-  for (int k = 0; k < sweeps; ++k) stages = sweep(a, from, dt, stages);
-  return gauss2_end(from, dt, stages);
+  return gauss2_end(from, dt, swept(a, from, dt, sweeps));
 }
 
 }  // namespace right

@@ -1,18 +1,10 @@
-// One scene of 64 particles for a number of steps, to be counted from outside: feature_cost <scene> <steps>.
-//
-// Prints steps, impacts and the allocations and bytes that the run asked for. Differences between two runs of different
-// length are the cost of the steps alone. `feature_cost` without arguments lists the scenes.
+// Scenes of 64 particles, for the table of what a feature costs: feature_cost <steps>... runs all of them.
 
 #include <array>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
-#include <cstring>
-#include <exception>
 #include <stdexcept>
-#include <string>
-#include <vector>
 
+#include <harness/counted_program.hpp>
 #include <particulate/contact/contact.hpp>
 #include <particulate/laws/gravity.hpp>
 #include <particulate/laws/near_field.hpp>
@@ -20,33 +12,6 @@
 #include <particulate/schemes/fixed_step.hpp>
 #include <particulate/schemes/integrate.hpp>
 #include <particulate/schemes/verlet.hpp>
-
-// Eigen asks malloc, the standard library asks operator new, which asks malloc: all of them come through here.
-namespace {
-long allocations = 0, bytes = 0;
-void count(std::size_t size) {
-  ++allocations;
-  bytes += static_cast<long>(size);
-}
-}  // namespace
-
-extern "C" {
-void* __libc_malloc(std::size_t size);
-void* __libc_calloc(std::size_t n, std::size_t size);
-void* __libc_realloc(void* old, std::size_t size);
-void* malloc(std::size_t size) {
-  count(size);
-  return __libc_malloc(size);
-}
-void* calloc(std::size_t n, std::size_t size) {
-  count(n * size);
-  return __libc_calloc(n, size);
-}
-void* realloc(void* old, std::size_t size) {
-  count(size);
-  return __libc_realloc(old, size);
-}
-}
 
 namespace {
 
@@ -56,6 +21,8 @@ using kinematics::Space;
 using kinematics::Wall;
 using laws::Gravity;
 using scenes::Scene;
+using verification::CountedRun;
+using verification::CountedScene;
 
 constexpr Eigen::Index side = 4, N = side * side * side;
 constexpr double dt = 4e-3;
@@ -99,36 +66,30 @@ const Gravity weightless{.g = Eigen::Vector3d::Zero()};
 const laws::NearField field{.alpha1 = 0.01, .alpha2 = 0.005, .beta1 = 1.0, .beta2 = 2.0};
 const laws::NearField no_field{.alpha1 = 0.0, .alpha2 = 0.0, .beta1 = 1.0, .beta2 = 2.0};
 
-struct Run {
-  long impacts = 0;
-  schemes::State end;
-};
-
 schemes::State start_of(const kinematics::Particles& particles) {
   return {.t = 0.0, .r = particles.position.reshaped(), .v = particles.velocity.reshaped()};
 }
 
 template <class P>
-Run by_library(P problem, const kinematics::Particles& particles, long steps) {
-  Run run{.impacts = 0, .end = start_of(particles)};
+CountedRun by_library(P problem, const kinematics::Particles& particles, long steps) {
+  schemes::State motion = start_of(particles);
   schemes::VelocityVerlet scheme;
   schemes::FixedStep control{.step = dt};
-  const schemes::Outcome out = schemes::integrate(problem, run.end, dt * static_cast<double>(steps), scheme, control);
+  const schemes::Outcome out = schemes::integrate(problem, motion, dt * static_cast<double>(steps), scheme, control);
   if (out.status != schemes::Status::reached || out.steps != steps) throw std::runtime_error(out.reason);
-  run.impacts = out.impacts;
-  return run;
+  return {.particles = N, .impacts = out.impacts, .sum = motion.r.sum()};
 }
 
 template <class D, class... Laws>
-Run scene(const kinematics::Particles& particles, const D& domain, long steps, const Laws&... laws) {
+CountedRun scene(const kinematics::Particles& particles, const D& domain, long steps, const Laws&... laws) {
   return by_library(Scene<D, Laws...>(particles, domain, laws...), particles, steps);
 }
 
 // What a reader would write without a library: Verlet over three arrays of components, the forces in place, no checks.
 template <class Force>
-Run by_hand(const kinematics::Particles& particles, long steps, const Force& add) {
-  Run run{.impacts = 0, .end = start_of(particles)};
-  auto& [t, r, v, y, t_carry] = run.end;
+CountedRun by_hand(const kinematics::Particles& particles, long steps, const Force& add) {
+  schemes::State motion = start_of(particles);
+  auto& [t, r, v, y, t_carry] = motion;
   Eigen::VectorXd f = Eigen::VectorXd::Zero(3 * N), inverse(3 * N);
   for (Eigen::Index axis = 0; axis < 3; ++axis) inverse.segment(axis * N, N) = particles.mass.cwiseInverse();
   add(r, f);
@@ -140,7 +101,7 @@ Run by_hand(const kinematics::Particles& particles, long steps, const Force& add
     v += (0.5 * dt) * f.cwiseProduct(inverse);
     t += dt;
   }
-  return run;
+  return {.particles = N, .impacts = 0, .sum = r.sum()};
 }
 
 void weigh(const kinematics::Particles& particles, schemes::Out f) {
@@ -168,7 +129,7 @@ struct HandWritten {
   }
 };
 template <class Force>
-Run problem_by_hand(const kinematics::Particles& particles, long steps, const Force& add) {
+CountedRun problem_by_hand(const kinematics::Particles& particles, long steps, const Force& add) {
   return by_library(HandWritten<Force>{particles, particles.mass.cwiseInverse(), add}, particles, steps);
 }
 
@@ -176,85 +137,45 @@ using Elastic = Contact<>;
 using Rubbing = Contact<contact::ConstantRestitution, contact::Friction>;
 using Varying = Contact<contact::Restitution>;
 
-struct Variant {
-  const char* name;
-  Run (*run)(long steps);
-};
 const auto only_weight = [](schemes::In, schemes::Out f) { weigh(thin, f); };
 const auto only_field = [](schemes::In r, schemes::Out f) { attract(thin, r, f); };
 const auto both = [](schemes::In r, schemes::Out f) { weigh(thin, f), attract(thin, r, f); };
 
 // A feature is absent, or present but idle, or used; where two of these are one scene it stands once.
-const std::array variants{
-    Variant{"hand_loop_gravity", [](long n) { return by_hand(thin, n, only_weight); }},
-    Variant{"hand_loop_near_field", [](long n) { return by_hand(thin, n, only_field); }},
-    Variant{"hand_loop_both", [](long n) { return by_hand(thin, n, both); }},
-    Variant{"hand_problem_gravity", [](long n) { return problem_by_hand(thin, n, only_weight); }},
-    Variant{"hand_problem_near_field", [](long n) { return problem_by_hand(thin, n, only_field); }},
-    Variant{"hand_problem_both", [](long n) { return problem_by_hand(thin, n, both); }},
+const std::array all{
+    CountedScene{"hand_loop_gravity", [](long n) { return by_hand(thin, n, only_weight); }},
+    CountedScene{"hand_loop_near_field", [](long n) { return by_hand(thin, n, only_field); }},
+    CountedScene{"hand_loop_both", [](long n) { return by_hand(thin, n, both); }},
+    CountedScene{"hand_problem_gravity", [](long n) { return problem_by_hand(thin, n, only_weight); }},
+    CountedScene{"hand_problem_near_field", [](long n) { return problem_by_hand(thin, n, only_field); }},
+    CountedScene{"hand_problem_both", [](long n) { return problem_by_hand(thin, n, both); }},
 
-    Variant{"near_field_absent", [](long n) { return scene(thin, Space{}, n, weight); }},
-    Variant{"near_field_idle", [](long n) { return scene(thin, Space{}, n, weight, no_field); }},
-    Variant{"near_field_used", [](long n) { return scene(thin, Space{}, n, weight, field); }},
+    CountedScene{"near_field_absent", [](long n) { return scene(thin, Space{}, n, weight); }},
+    CountedScene{"near_field_idle", [](long n) { return scene(thin, Space{}, n, weight, no_field); }},
+    CountedScene{"near_field_used", [](long n) { return scene(thin, Space{}, n, weight, field); }},
 
-    Variant{"gravity_absent", [](long n) { return scene(thin, Space{}, n, field); }},
-    Variant{"gravity_idle", [](long n) { return scene(thin, Space{}, n, weightless, field); }},
+    CountedScene{"gravity_absent", [](long n) { return scene(thin, Space{}, n, field); }},
+    CountedScene{"gravity_idle", [](long n) { return scene(thin, Space{}, n, weightless, field); }},
 
-    Variant{"contact_absent", [](long n) { return scene(thin, box(0.0), n, weight, field); }},
-    Variant{"contact_idle", [](long n) { return scene(thin, box(0.0), n, weight, field, Elastic{}); }},
-    Variant{"contact_used", [](long n) { return scene(thick, box(0.0), n, weight, field, Elastic{}); }},
+    CountedScene{"contact_absent", [](long n) { return scene(thin, box(0.0), n, weight, field); }},
+    CountedScene{"contact_idle", [](long n) { return scene(thin, box(0.0), n, weight, field, Elastic{}); }},
+    CountedScene{"contact_used", [](long n) { return scene(thick, box(0.0), n, weight, field, Elastic{}); }},
 
-    Variant{"wall_absent", [](long n) { return scene(thick, Space{}, n, weight, field, Elastic{}); }},
-    Variant{"wall_idle", [](long n) { return scene(thick, box(100.0), n, weight, field, Elastic{}); }},
+    CountedScene{"wall_absent", [](long n) { return scene(thick, Space{}, n, weight, field, Elastic{}); }},
+    CountedScene{"wall_idle", [](long n) { return scene(thick, box(100.0), n, weight, field, Elastic{}); }},
 
-    Variant{"friction_idle", [](long n) { return scene(thick, box(0.0), n, weight, field, Rubbing{}); }},
-    Variant{"friction_used",
-            [](long n) {
-              return scene(thick, box(0.0), n, weight, field, Rubbing{.friction = {.mu_s = 0.02, .mu_d = 0.01}});
-            }},
+    CountedScene{"friction_idle", [](long n) { return scene(thick, box(0.0), n, weight, field, Rubbing{}); }},
+    CountedScene{"friction_used",
+                 [](long n) {
+                   return scene(thick, box(0.0), n, weight, field, Rubbing{.friction = {.mu_s = 0.02, .mu_d = 0.01}});
+                 }},
 
-    Variant{"restitution_law_idle", [](long n) { return scene(thick, box(0.0), n, weight, field, Varying{}); }},
-    Variant{"restitution_law_used", [](long n) {
-              return scene(thick, box(0.0), n, weight, field, Varying{.restitution = {.e_o = 1.0, .v_star = 500.0}});
-            }}};
-
-int measure(const Variant& variant, long steps) {
-  const long before = allocations, bytes_before = bytes;
-  const Run run = variant.run(steps);
-  const long asked = allocations - before, held = bytes - bytes_before;
-  std::printf("steps %ld impacts %ld allocations %ld bytes %ld sum %.17g\n", steps, run.impacts, asked, held,
-              run.end.r.sum());
-  return 0;
-}
-
-int listed() {
-  for (const Variant& variant : variants) std::printf("%s\n", variant.name);
-  return 0;
-}
-
-int refused(const char* what) {
-  std::fprintf(stderr,
-               "feature_cost: expected <scene> <steps>, steps from 1 to 1000000, got %s; without arguments it "
-               "lists the scenes\n",
-               what);
-  return 2;
-}
+    CountedScene{"restitution_law_idle", [](long n) { return scene(thick, box(0.0), n, weight, field, Varying{}); }},
+    CountedScene{"restitution_law_used", [](long n) {
+                   return scene(thick, box(0.0), n, weight, field,
+                                Varying{.restitution = {.e_o = 1.0, .v_star = 500.0}});
+                 }}};
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  try {
-    if (argc == 1) return listed();
-    if (argc != 3) return refused("another number of arguments");
-    char* rest = nullptr;
-    const long steps = std::strtol(argv[2], &rest, 10);
-    if (rest == argv[2] || *rest != '\0' || steps < 1 || steps > 1'000'000) return refused(argv[2]);
-    for (const Variant& variant : variants) {
-      if (std::strcmp(variant.name, argv[1]) == 0) return measure(variant, steps);
-    }
-    return refused(argv[1]);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "feature_cost: %s\n", error.what());
-    return 1;
-  }
-}
+int main(int argc, char** argv) { return verification::counted_program(argc, argv, all); }

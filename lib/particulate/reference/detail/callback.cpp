@@ -80,11 +80,12 @@ int fill_jacobian(sunrealtype t, N_Vector y, N_Vector, SUNMatrix J, void* data, 
   Callback& callback = *static_cast<Callback*>(data);
   try {
     const Where at = where(t, y, callback);
-    const Eigen::Index n = at.r.size(), m = at.y.size(), all = 2 * n + m;
-    Eigen::MatrixXd& rates = callback.jacobian;  // of (a, dy) by all unknowns; without motion that is all there is
-    rates.setZero(n + m, all);
+    const Eigen::Index n = at.r.size(), all = 2 * n + at.y.size();
+    const Eigen::Index m = callback.problem.traits().carries ? 0 : at.y.size();
+    Eigen::MatrixXd& rates = callback.jacobian;  // of (a, dy) by what has rates; without motion that is all there is
+    rates.setZero(n + m, 2 * n + m);
     callback.problem.jacobian(at, rates);
-    check_size(rates, n + m, all);
+    check_size(rates, n + m, 2 * n + m);
     if (!rates.allFinite()) {
       callback.no_jacobian_at = t;
       return 1;
@@ -92,7 +93,7 @@ int fill_jacobian(sunrealtype t, N_Vector y, N_Vector, SUNMatrix J, void* data, 
     Eigen::Map<Eigen::MatrixXd> out(SUNDenseMatrix_Data(J), all, all);  // both are column by column
     out.setZero();
     out.block(0, n, n, n).setIdentity();  // r' = v
-    out.bottomRows(n + m) = rates;
+    out.block(n, 0, n + m, 2 * n + m) = rates;
     return 0;
   } catch (...) {
     callback.thrown = std::current_exception();

@@ -1,0 +1,99 @@
+#include <particulate/schemes/state.hpp>
+
+#include <limits>
+
+#include "close.hpp"
+
+namespace tests::state_test {
+
+using namespace particulate::schemes;
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// Every number is another one.
+State numbered() {
+  return {.t = 0.5,
+          .r = Eigen::Vector2d(1.0, 2.0),
+          .v = Eigen::Vector2d(3.0, 4.0),
+          .y = Eigen::Vector3d(5.0, 6.0, 7.0),
+          .t_carry = 0.25};
+}
+
+BOOST_AUTO_TEST_SUITE(flat_)
+
+BOOST_AUTO_TEST_CASE(puts_places_before_velocities_before_values) {
+  BOOST_TEST(close(flat(numbered()), Eigen::VectorXd::LinSpaced(7, 1.0, 7.0), {}));
+}
+
+BOOST_AUTO_TEST_CASE(leaves_out_what_is_not_there) {
+  BOOST_TEST(close(flat({.y = Eigen::Vector2d(8.0, 9.0)}), Eigen::Vector2d(8.0, 9.0), {}));
+  BOOST_TEST(
+      close(flat({.r = Eigen::VectorXd::Ones(1), .v = Eigen::VectorXd::Zero(1)}), Eigen::Vector2d(1.0, 0.0), {}));
+  BOOST_TEST(flat(State{}).size() == 0);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(unflatten_)
+
+BOOST_AUTO_TEST_CASE(undoes_flat_and_leaves_the_time_alone) {
+  State state = numbered();
+  unflatten(-flat(numbered()), state);
+  BOOST_TEST(close(state.r, Eigen::Vector2d(-1.0, -2.0), {}));
+  BOOST_TEST(close(state.v, Eigen::Vector2d(-3.0, -4.0), {}));
+  BOOST_TEST(close(state.y, Eigen::Vector3d(-5.0, -6.0, -7.0), {}));
+  BOOST_TEST(state.t == 0.5);
+  BOOST_TEST(state.t_carry == 0.25);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(swap_)
+
+BOOST_AUTO_TEST_CASE(exchanges_every_part_without_copying_a_number) {
+  State one = numbered(), other{.t = -1.0, .y = Eigen::VectorXd::Constant(1, 9.0)};
+  const double* const places = one.r.data();
+  swap(one, other);
+  BOOST_TEST(one.t == -1.0);
+  BOOST_TEST(one.t_carry == 0.0);
+  BOOST_TEST(close(flat(one), Eigen::VectorXd::Constant(1, 9.0), {}));
+  BOOST_TEST(one.r.size() == 0);
+  BOOST_TEST(other.t == 0.5);
+  BOOST_TEST(other.t_carry == 0.25);
+  BOOST_TEST(close(flat(other), flat(numbered()), {}));
+  BOOST_TEST(other.r.data() == places);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(is_finite_)
+
+BOOST_AUTO_TEST_CASE(looks_at_every_number) {
+  const Eigen::Vector2d good(1.0, -1e308);
+  BOOST_TEST(is_finite({.t = 0.0, .r = good, .v = good, .y = good}));
+  BOOST_TEST(is_finite(State{}));
+  for (const double bad : {not_a_number, infinity, -infinity}) {
+    const Eigen::Vector2d worse(0.0, bad);
+    BOOST_TEST(!is_finite({.t = 0.0, .r = worse, .v = good, .y = good}));
+    BOOST_TEST(!is_finite({.t = 0.0, .r = good, .v = worse, .y = good}));
+    BOOST_TEST(!is_finite({.t = 0.0, .r = good, .v = good, .y = worse}));
+    BOOST_TEST(!is_finite({.t = bad, .r = good, .v = good, .y = good}));
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(advance_time_)
+
+BOOST_AUTO_TEST_CASE(adds_the_step_to_the_time_and_leaves_the_rest) {
+  const State from = numbered();
+  State to{.t = 9.0, .y = Eigen::VectorXd::Ones(1)};
+  advance_time(from, 0.125, to);
+  BOOST_TEST(to.t == 0.625);
+  BOOST_TEST(to.y[0] == 1.0);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace tests::state_test
