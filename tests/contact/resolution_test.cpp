@@ -13,6 +13,7 @@ namespace tests::resolution_test {
 
 using boost::test_tools::tolerance;
 using namespace particulate::contact;
+using particulate::contact::Resolved;
 using namespace particulate::kinematics;
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
