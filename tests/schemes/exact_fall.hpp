@@ -15,11 +15,7 @@ struct ExactFall {
   int accepted = 0, forgotten = 0;
   Eigen::VectorXd a{};
 
-<<<<<<< HEAD
-  static constexpr bool advances(const particulate::schemes::Traits& of) { return of.motion && !of.values; }
-=======
   static constexpr bool advances(const particulate::schemes::Traits&) { return true; }
->>>>>>> w-m3
   bool predict(const particulate::schemes::Problem& problem, const particulate::schemes::State& from, double dt,
                particulate::schemes::State& to) {
     particulate::schemes::Rates rates;
@@ -44,11 +40,7 @@ struct ExactSine {
   static constexpr int order = 8;
   int forgotten = 0;
 
-<<<<<<< HEAD
-  static constexpr bool advances(const particulate::schemes::Traits& of) { return of.values; }
-=======
   static constexpr bool advances(const particulate::schemes::Traits&) { return true; }
->>>>>>> w-m3
   bool predict(const particulate::schemes::Problem& problem, const particulate::schemes::State& from, double dt,
                particulate::schemes::State& to) {
     particulate::schemes::Rates rates;

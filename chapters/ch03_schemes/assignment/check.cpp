@@ -166,10 +166,10 @@ std::vector<double> flawed_decision(Step step, const Flaw& flaw) {
   }
   const schemes::PhiControl& control = step.control;
   const bool accepted = flawed_acceptance(step, flaw);
-  const bool is_free = (accepted ? flaw.no_floor : flaw.no_shrink_bound);
+  const bool is_free = accepted ? flaw.no_floor : flaw.no_shrink_bound;
   const double low = is_free ? 0.0 : accepted ? 1.0 : control.shrink;
   double high = accepted ? control.growth : control.retry;
-  if ((accepted ? flaw.no_growth_bound : flaw.no_retry_bound)) high = infinity;
+  if (accepted ? flaw.no_growth_bound : flaw.no_retry_bound) high = infinity;
   const double next = std::clamp(flawed_factor(step, flaw), low, high) * (flaw.forgotten_dt ? 1.0 : step.dt);
   return {accepted ? 1.0 : 0.0, flaw.no_limit ? next : std::min(next, control.limit)};
 }
