@@ -135,8 +135,11 @@ Touching find_touching(const D& domain, const laws::At<laws::Velocity>& at, cons
   }
   return found;
 }
+// Doxygen would take the instance for another function.
+/// @cond
 extern template Touching find_touching<kinematics::Space>(const kinematics::Space&, const laws::At<laws::Velocity>&,
                                                           const ClosedGap&);
+/// @endcond
 
 /// @param touch     a contact
 /// @param velocity  of all particles, N x 3 [m/s]
