@@ -31,22 +31,19 @@
 
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <numbers>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
-#include <particulate/laws/near_field.hpp>
 #include <particulate/kinematics/breathing.hpp>
 #include <particulate/kinematics/central_force.hpp>
 #include <particulate/kinematics/energy.hpp>
 #include <particulate/kinematics/similarity.hpp>
-#include <particulate/report/checks.hpp>
-#include <particulate/report/command_line.hpp>
-#include <particulate/report/stamp.hpp>
-#include <particulate/report/table.hpp>
+#include <particulate/laws/near_field.hpp>
+#include <particulate/report/chapter.hpp>
 #include <particulate/scenes/scene.hpp>
 #include <particulate/schemes/fixed_step.hpp>
 #include <particulate/schemes/integrate.hpp>
@@ -62,30 +59,29 @@ using namespace particulate;
 //! The constants of the first half are the monograph's fourth near-field case of chapter 4. Those of the second half
 //! belong to the one pair of exponents for which the motion has a closed form.
 
+using report::between;
+using report::more_than;
+constexpr const char* ours = "our choice";
+
 struct Parameters {
-  double alpha1 = 0.5;        // attraction [N m^beta1/kg^2], figure 4.2, case 4
-  double alpha2 = 0.25;       // repulsion [N m^beta2/kg^2], figure 4.2, case 4
-  double beta1 = 1.0;         // exponent of attraction [-], chapter 4
-  double beta2 = 2.0;         // exponent of repulsion [-], chapter 4
-  double displacement = 0.1;  // from the balance, as a share of its distance [-], ours
-  double stiffness = 0.5;     // repulsion of the breathing pair, attraction being 1 [N m^3/kg^2], ours
-  int steps = 200;            // a period of the breathing pair [-], ours
-  int scale = 10;             // the large scene is 2^scale times as long [-], ours
+  report::CommandLine& line;
+  double& alpha1 = line.field(0.5, {"alpha1", "attraction", "N m^beta1/kg^2", more_than(0.0), "figure 4.2, case 4"});
+  double& alpha2 = line.field(0.25, {"alpha2", "repulsion", "N m^beta2/kg^2", more_than(0.0), "figure 4.2, case 4"});
+  double& beta1 = line.field(1.0, {"beta1", "exponent of attraction", "-", between(0.0, 13.0), "chapter 4"});
+  double& beta2 =
+      line.field(2.0, {"beta2", "exponent of repulsion, above beta1", "-", between(0.0, 13.0), "chapter 4"});
+  double& displacement =
+      line.field(0.1, {"displacement", "from the balance, as a share of its distance", "-", between(1e-3, 0.3), ours});
+  double& stiffness = line.field(
+      0.5, {"stiffness", "repulsion of the breathing pair, attraction 1", "N m^3/kg^2", between(0.1, 0.9), ours});
+  int& steps = line.field(200, {"steps", "steps a period of the breathing pair", "-", between(20, 1e5), ours});
+  int& scale = line.field(10, {"scale", "the large scene is 2^scale times as long", "-", between(-20, 20), ours});
 };
 
-void describe(report::CommandLine& line, Parameters& p) {
-  const report::Range positive = report::more_than(0.0);
-  line.field(p.alpha1, {"alpha1", "attraction", "N m^beta1/kg^2", positive, "figure 4.2, case 4"});
-  line.field(p.alpha2, {"alpha2", "repulsion", "N m^beta2/kg^2", positive, "figure 4.2, case 4"});
-  line.field(p.beta1, {"beta1", "exponent of attraction", "-", report::between(0.0, 13.0), "chapter 4"});
-  line.field(p.beta2, {"beta2", "exponent of repulsion, above beta1", "-", report::between(0.0, 13.0), "chapter 4"});
-  line.field(p.displacement, {"displacement", "from the balance, as a share of its distance", "-",
-                              report::between(1e-3, 0.3), "our choice"});
-  line.field(p.stiffness, {"stiffness", "repulsion of the breathing pair, attraction 1", "N m^3/kg^2",
-                           report::between(0.1, 0.9), "our choice"});
-  line.field(p.steps, {"steps", "steps a period of the breathing pair", "-", report::between(20, 1e5), "our choice"});
-  line.field(p.scale,
-             {"scale", "the large scene is 2^scale times as long", "-", report::between(-20, 20), "our choice"});
+void validate(const Parameters& p) {
+  if (p.beta2 > p.beta1) return;
+  throw std::invalid_argument(
+      fmt::format("beta2 must be above beta1 for a stable balance, got {} and {}", p.beta2, p.beta1));
 }
 
 //! @subsection ch01_helpers Two bodies, and what becomes of them
@@ -117,20 +113,9 @@ void advance(const Scene& scene, schemes::State& state, double t_end, Scheme& sc
 //! What a run claims is kept in one table, a particulate::report::Checks, with the error that was seen and the error
 //! that is allowed. Comparisons are written so that a NaN fails them.
 
-int run(int argc, char** argv) {
-  Parameters p;
-  report::CommandLine line({.name = "ch01_fundamentals",
-                            .summary = "Chapter 1: potential, equilibrium, a breathing pair, similarity.",
-                            .out = "ch01"});
-  describe(line, p);
-  if (const std::optional<int> status = line.parse(argc, argv)) return *status;
-  if (!(p.beta2 > p.beta1)) {
-    fmt::print(stderr, "ch01_fundamentals: beta2 must be above beta1 for a stable balance, got {} and {}\n", p.beta2,
-               p.beta1);
-    return 2;
-  }
-  const report::Output output(line.common().out);
-  report::Checks checks;
+void run(const Parameters& p, report::Chapter& chapter) {
+  const report::Output& output = chapter.output();
+  report::Checks& checks = chapter.claims("checks");
 
   //! @section ch01_curves 1. Force and potential
   //!
@@ -241,11 +226,9 @@ int run(int argc, char** argv) {
   const double step = exact.period() / p.steps;
   const double turn_rate = std::sqrt(3.0 * 2.0 * p.stiffness / std::pow(exact.nearest(), 4));  // of the wall met there
   if (!(step * turn_rate < 0.5)) {
-    fmt::print(stderr,
-               "ch01_fundamentals: the turn must be resolved, step times its rate below 0.5, got {:.3g}; "
-               "choose --steps {} or more\n",
-               step * turn_rate, std::ceil(2.0 * exact.period() * turn_rate));
-    return 2;
+    throw std::invalid_argument(
+        fmt::format("the turn must be resolved, step times its rate below 0.5, got {:.3g}; choose --steps {} or more",
+                    step * turn_rate, std::ceil(2.0 * exact.period() * turn_rate)));
   }
   const auto separation = [](const schemes::State& m) { return m.r[1] - m.r[0]; };
   report::Table breathing({"time [periods]", "closed form [m]", "Runge-Kutta [m]", "Verlet [m]",
@@ -354,18 +337,17 @@ int run(int argc, char** argv) {
   const double resolution = step * turn_rate;
   checks.add("breathing pair by Runge-Kutta, three periods [m]", worst_runge_kutta, 0.25 * std::pow(resolution, 4));
   checks.add("breathing pair by Verlet, three periods [m]", worst_verlet, 0.05 * std::pow(0.25 * resolution, 2));
-  output.write("checks", checks.table());
-  line.write_parameters();
-  const std::string kernel(laws::name(laws::best_kernel()));
-  report::write_stamp(output.folder(), report::make_stamp(line.line(), line.common().seed, kernel));
-  fmt::print("{}", checks.table().text());
-  return checks.all_hold() ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  return particulate::report::guarded("ch01_fundamentals", [&] { return run(argc, argv); });
+  using namespace particulate;
+  return report::run_chapter(argc, argv,
+                             {.name = "ch01_fundamentals",
+                              .summary = "Chapter 1: potential, equilibrium, a breathing pair, similarity.",
+                              .out = "ch01"},
+                             laws::name(laws::best_kernel()), run);
 }
 
 //! @table{ch01_checks}

@@ -34,29 +34,23 @@
 
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <numbers>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include <fmt/core.h>
 #include <Eigen/Geometry>
 #include <boost/random/mersenne_twister.hpp>
 #include <boost/random/uniform_real_distribution.hpp>
 
 #include <particulate/contact/contact.hpp>
 #include <particulate/contact/impact.hpp>
-#include <particulate/laws/near_field.hpp>
 #include <particulate/kinematics/energy.hpp>
 #include <particulate/kinematics/momentum.hpp>
-#include <particulate/report/checks.hpp>
-#include <particulate/report/command_line.hpp>
+#include <particulate/laws/near_field.hpp>
+#include <particulate/report/chapter.hpp>
 #include <particulate/report/progress.hpp>
-#include <particulate/report/stamp.hpp>
-#include <particulate/report/table.hpp>
 #include <particulate/scenes/scene.hpp>
 #include <particulate/schemes/fixed_step.hpp>
 #include <particulate/schemes/integrate.hpp>
@@ -72,40 +66,40 @@ using namespace particulate;
 //! field of the cloud is weaker and of shorter reach than there: attraction and repulsion balance where two spheres of
 //! the cloud touch.
 
+using report::between;
+using report::more_than;
+constexpr const char* ours = "our choice";
+
 struct Parameters {
-  double e = 0.5;         // restitution of every impact but the elastic ones [-], chapter 4
-  double mu_s = 0.2;      // static friction in the cloud [-], chapter 4
-  double mu_d = 0.1;      // dynamic friction in the cloud [-], chapter 4
-  double v_star = 10.0;   // approach speed at which restitution has fallen [m/s], chapter 4
-  double e_minus = 0.1;   // its floor [-], chapter 4
-  double gamma = 0.01;    // duration of an impact over the step [-], chapter 4
-  double push = 0.4;      // approach speed that other forces add during the impact of section 1 [-], ours
-  double angle = 30.0;    // of the oblique impact, from the normal [degrees], ours
-  double alpha1 = 0.1;    // attraction in the cloud [N m/kg^2], ours
-  double alpha2 = 0.01;   // repulsion in the cloud [N m^2/kg^2], ours
-  double step = 2e-4;     // of the cloud [s], ours
-  double duration = 0.8;  // of the cloud [s], ours
-  int side = 4;           // the cloud has side^3 spheres [-], ours
+  report::CommandLine& line;
+  double& e =
+      line.field(0.5, {"e", "restitution of every impact but the elastic ones", "-", between(0.0, 1.0), "chapter 4"});
+  double& mu_s =
+      line.field(0.2, {"mu_s", "static friction in the cloud, at least mu_d", "-", between(0.0, 10.0), "chapter 4"});
+  double& mu_d = line.field(0.1, {"mu_d", "dynamic friction in the cloud", "-", between(0.0, 10.0), "chapter 4"});
+  double& v_star =
+      line.field(10.0, {"v_star", "speed at which restitution has fallen", "m/s", more_than(0.0), "chapter 4"});
+  double& e_minus =
+      line.field(0.1, {"e_minus", "floor of restitution, at most e", "-", between(0.0, 1.0), "chapter 4"});
+  double& gamma =
+      line.field(0.01, {"gamma", "duration of an impact over the step", "-", between(1e-9, 0.1), "chapter 4"});
+  double& push = line.field(
+      0.4, {"push", "other forces during an impact, as a share of the approach speed", "-", between(-0.9, 2.0), ours});
+  double& angle = line.field(30.0, {"angle", "oblique impact, from the normal", "degrees", between(1.0, 89.0), ours});
+  double& alpha1 = line.field(0.1, {"alpha1", "attraction in the cloud", "N m/kg^2", between(0.0, 10.0), ours});
+  double& alpha2 = line.field(0.01, {"alpha2", "repulsion in the cloud", "N m^2/kg^2", between(0.0, 1.0), ours});
+  double& step = line.field(2e-4, {"step", "step of the cloud", "s", between(1e-6, 1e-2), ours});
+  double& duration = line.field(0.8, {"duration", "of the cloud's motion", "s", between(0.01, 100.0), ours});
+  int& side = line.field(4, {"side", "the cloud has side^3 spheres", "-", between(2, 10), ours});
 };
 
-void describe(report::CommandLine& line, Parameters& p) {
-  const report::Range share = report::between(0.0, 1.0);
-  const report::Range friction = report::between(0.0, 10.0);
-  line.field(p.e, {"e", "restitution of every impact but the elastic ones", "-", share, "chapter 4"});
-  line.field(p.mu_s, {"mu_s", "static friction in the cloud, at least mu_d", "-", friction, "chapter 4"});
-  line.field(p.mu_d, {"mu_d", "dynamic friction in the cloud", "-", friction, "chapter 4"});
-  line.field(p.v_star, {"v_star", "speed at which restitution has fallen", "m/s", report::more_than(0.0), "chapter 4"});
-  line.field(p.e_minus, {"e_minus", "floor of restitution, at most e", "-", share, "chapter 4"});
-  line.field(p.gamma, {"gamma", "duration of an impact over the step", "-", report::between(1e-9, 0.1), "chapter 4"});
-  line.field(p.push, {"push", "other forces during an impact, as a share of the approach speed", "-",
-                      report::between(-0.9, 2.0), "our choice"});
-  line.field(p.angle,
-             {"angle", "oblique impact, from the normal", "degrees", report::between(1.0, 89.0), "our choice"});
-  line.field(p.alpha1, {"alpha1", "attraction in the cloud", "N m/kg^2", report::between(0.0, 10.0), "our choice"});
-  line.field(p.alpha2, {"alpha2", "repulsion in the cloud", "N m^2/kg^2", report::between(0.0, 1.0), "our choice"});
-  line.field(p.step, {"step", "step of the cloud", "s", report::between(1e-6, 1e-2), "our choice"});
-  line.field(p.duration, {"duration", "of the cloud's motion", "s", report::between(0.01, 100.0), "our choice"});
-  line.field(p.side, {"side", "the cloud has side^3 spheres", "-", report::between(2, 10), "our choice"});
+contact::Friction friction_of(const Parameters& p) { return {.mu_s = p.mu_s, .mu_d = p.mu_d}; }
+
+contact::Restitution falling_of(const Parameters& p) { return {.e_o = p.e, .v_star = p.v_star, .e_minus = p.e_minus}; }
+
+void validate(const Parameters& p) {
+  validate(friction_of(p));
+  validate(falling_of(p));
 }
 
 //! @subsection ch02_helpers Spheres, a cloud, and what is claimed
@@ -139,21 +133,13 @@ kinematics::Particles cloud_of(int side, std::uint64_t seed) {
 //! What a run claims is kept in one table, a particulate::report::Checks, with the error that was seen and the error
 //! that is allowed. Comparisons are written so that a NaN fails them.
 
-int run(int argc, char** argv) {
-  Parameters p;
-  report::CommandLine line({.name = "ch02_contact",
-                            .summary = "Chapter 2: impact, restitution, friction, simultaneous contacts, a cloud.",
-                            .out = "ch02"});
-  describe(line, p);
-  if (const std::optional<int> status = line.parse(argc, argv)) return *status;
-  const contact::Friction friction{.mu_s = p.mu_s, .mu_d = p.mu_d};
-  const contact::Restitution falling{.e_o = p.e, .v_star = p.v_star, .e_minus = p.e_minus};
-  validate(friction);
-  validate(falling);
-  const report::Output output(line.common().out);
+void run(const Parameters& p, report::Chapter& chapter) {
+  const contact::Friction friction = friction_of(p);
+  const contact::Restitution falling = falling_of(p);
+  const report::Output& output = chapter.output();
   const Eigen::Vector3d n = Eigen::Vector3d::UnitX(), none = Eigen::Vector3d::Zero();
   constexpr double rounding = 1e-14;
-  report::Checks checks;
+  report::Checks& checks = chapter.claims("checks");
 
   //! @section ch02_phases 1. Compression and recovery
   //!
@@ -447,7 +433,7 @@ int run(int argc, char** argv) {
   //! over all pairs; every step says what its impacts took. The sum must not change, but for the error of the scheme,
   //! which for Verlet's method is of the order \f$ (\omega\,\Delta t)^2 \f$ with \f$ \omega^2 = V''/m^* \f$.
 
-  const kinematics::Particles cloud = cloud_of(p.side, line.common().seed);
+  const kinematics::Particles cloud = cloud_of(p.side, chapter.common().seed);
   const laws::NearField near_field{.alpha1 = p.alpha1, .alpha2 = p.alpha2};
   const scenes::Scene without_contact{cloud, kinematics::Space{}, near_field};  // contact has no potential
   const scenes::Scene scene{cloud, kinematics::Space{}, near_field,
@@ -456,7 +442,7 @@ int run(int argc, char** argv) {
   const double total_mass = cloud.mass.sum();
   schemes::State state = scenes::start(scene);
   schemes::VelocityVerlet verlet;
-  schemes::FixedStep control{.step = (line.common().quick ? 2.0 : 1.0) * p.step};
+  schemes::FixedStep control{.step = (chapter.common().quick ? 2.0 : 1.0) * p.step};
   report::Table ledger(
       {"time [s]", "bulk [J]", "relative [J]", "potential [J]", "dissipated [J]", "total [J]", "impacts"});
   report::Progress progress("cloud", p.duration);
@@ -497,35 +483,33 @@ int run(int argc, char** argv) {
   checks.add("the cloud's books close, relative to what impacts took and energy at the start",
              drift / (total_before + dissipated), rounding + 2.0 * std::abs(stiffness) * control.step * control.step);
   checks.add("impacts never give energy, in any interval [J]", restored, 0.0);
-
-  //! @figure{ch02_ledger, A colliding cloud. Above: energy of its bulk and relative motion\, potential since the start\, what impacts took\, and the sum. Below: impacts so far.}
-  //!
-  //! @table{ch02_summary}
-  //!
-  //! The cloud falls together: potential turns into relative motion, and relative motion is what impacts take. Bulk
-  //! motion is left alone, because every force in the scene comes in pairs. At last the spheres lie on each other in a
-  //! clump, and impacts grow by orders of magnitude, although hardly any energy is left to take: a contact at rest is
-  //! an impact in every step, which undoes what the near field did in that step. Velocities stay right that way;
-  //! positions sink by a little in each step, and the overlap keeps count.
-  //!
-  //! @section ch02_results What held
-  //!
-  //! Where an identity is claimed, rounding is all that is allowed.
-
-  output.write("checks", checks.table());
-  line.write_parameters();
-  const std::string kernel(laws::name(laws::best_kernel()));
-  report::write_stamp(output.folder(), report::make_stamp(line.line(), line.common().seed, kernel));
-  fmt::print("{}", checks.table().text());
-  return checks.all_hold() ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
 }  // namespace
 
+//! @figure{ch02_ledger, A colliding cloud. Above: energy of its bulk and relative motion\, potential since the start\, what impacts took\, and the sum. Below: impacts so far.}
+//!
+//! @table{ch02_summary}
+//!
+//! The cloud falls together: potential turns into relative motion, and relative motion is what impacts take. Bulk
+//! motion is left alone, because every force in the scene comes in pairs. At last the spheres lie on each other in a
+//! clump, and impacts grow by orders of magnitude, although hardly any energy is left to take: a contact at rest is
+//! an impact in every step, which undoes what the near field did in that step. Velocities stay right that way;
+//! positions sink by a little in each step, and the overlap keeps count.
+
 int main(int argc, char** argv) {
-  return particulate::report::guarded("ch02_contact", [&] { return run(argc, argv); });
+  using namespace particulate;
+  return report::run_chapter(argc, argv,
+                             {.name = "ch02_contact",
+                              .summary = "Chapter 2: impact, restitution, friction, simultaneous contacts, a cloud.",
+                              .out = "ch02"},
+                             laws::name(laws::best_kernel()), run);
 }
 
+//! @section ch02_results What held
+//!
+//! Where an identity is claimed, rounding is all that is allowed.
+//!
 //! @table{ch02_checks}
 //!
 //! The parameters of the run that made this page:

@@ -21,26 +21,20 @@ constexpr double inf = std::numeric_limits<double>::infinity();
 
 // A program with one field of every type.
 struct Tried {
-  double alpha1 = 0.5;
-  double v_star = inf;
-  double shift = 0.0;
-  int members = 5;
-  bool friction = false;
-  std::string scheme = "verlet";
   CommandLine command;
+  double& alpha1 = command.field(
+      0.5, {.name = "alpha1", .meaning = "attraction", .unit = "N", .range = at_least(0), .source = "M 1.30"});
+  double& v_star = command.field(
+      inf, {.name = "v_star", .meaning = "critical speed", .unit = "m/s", .range = more_than(0).or_infinite()});
+  double& shift = command.field(0.0, {.name = "shift", .meaning = "any number"});
+  int& members = command.field(5, {.name = "members", .meaning = "bodies", .range = between(1, 100)});
+  bool& friction = command.field(false, {.name = "friction", .meaning = "whether contacts rub"});
+  std::string& scheme =
+      command.field("verlet", {.name = "scheme", .meaning = "time stepping", .range = one_of({"verlet", "rk4"})});
   std::string printed, refused;
 
   explicit Tried(bool has_cases = false)
-      : command({.name = "ch01", .summary = "shows a pair.", .has_cases = has_cases}) {
-    command.field(alpha1,
-                  {.name = "alpha1", .meaning = "attraction", .unit = "N", .range = at_least(0), .source = "M 1.30"});
-    command.field(v_star,
-                  {.name = "v_star", .meaning = "critical speed", .unit = "m/s", .range = more_than(0).or_infinite()});
-    command.field(shift, {.name = "shift", .meaning = "any number"});
-    command.field(members, {.name = "members", .meaning = "bodies", .range = between(1, 100)});
-    command.field(friction, {.name = "friction", .meaning = "whether contacts rub"});
-    command.field(scheme, {.name = "scheme", .meaning = "time stepping", .range = one_of({"verlet", "rk4"})});
-  }
+      : command({.name = "ch01", .summary = "shows a pair.", .has_cases = has_cases}) {}
 
   std::optional<int> parse(std::vector<std::string> words) {
     std::vector<const char*> argv{"/somewhere/ch01"};
@@ -255,14 +249,12 @@ BOOST_AUTO_TEST_CASE(any_printable_text_comes_back) {
   const ScratchFolder folder;
   const std::string file = (folder.path() / "p.toml").native();
 
-  std::string text = awkward;
   CommandLine first({.name = "p", .summary = "s"});
-  first.field(text, {.name = "text", .meaning = "any text"});
+  first.field(awkward, {.name = "text", .meaning = "any text"});
   write_whole(file, first.parameters_toml());
 
-  std::string again = "plain";
   CommandLine second({.name = "p", .summary = "s"});
-  second.field(again, {.name = "text", .meaning = "any text"});
+  const std::string& again = second.field("plain", {.name = "text", .meaning = "any text"});
   const char* const argv[] = {"p", "--config", file.c_str()};
   BOOST_TEST(!second.parse(3, argv));
   BOOST_TEST(again == awkward);
@@ -274,30 +266,28 @@ BOOST_AUTO_TEST_SUITE(command_line_field)
 
 BOOST_AUTO_TEST_CASE(a_default_must_lie_in_its_own_range) {
   CommandLine command({.name = "p", .summary = "s"});
-  double negative = -1.0, not_a_number = std::numeric_limits<double>::quiet_NaN();
-  std::string scheme = "euler";
-  BOOST_CHECK_EXCEPTION(command.field(negative, {.name = "a", .meaning = "m", .range = at_least(0)}),
-                        std::invalid_argument, says("field a: its default must be at least 0, got -1"));
+  const double not_a_number = std::numeric_limits<double>::quiet_NaN();
+  BOOST_CHECK_EXCEPTION(command.field(-1.0, {.name = "a", .meaning = "m", .range = at_least(0)}), std::invalid_argument,
+                        says("field a: its default must be at least 0, got -1"));
   BOOST_CHECK_EXCEPTION(command.field(not_a_number, {.name = "a", .meaning = "m"}), std::invalid_argument,
                         says("must be a finite number, got nan"));
-  BOOST_CHECK_EXCEPTION(command.field(scheme, {.name = "a", .meaning = "m", .range = one_of({"rk4"})}),
+  BOOST_CHECK_EXCEPTION(command.field("euler", {.name = "a", .meaning = "m", .range = one_of({"rk4"})}),
                         std::invalid_argument, says("must be one of rk4, got euler"));
 }
 
 BOOST_AUTO_TEST_CASE(a_name_must_be_free_and_well_formed_and_have_a_meaning) {
   CommandLine command({.name = "p", .summary = "s"});
-  double x = 1.0;
-  command.field(x, {.name = "x", .meaning = "m"});
-  BOOST_CHECK_EXCEPTION(command.field(x, {.name = "x", .meaning = "m"}), std::invalid_argument,
+  command.field(1.0, {.name = "x", .meaning = "m"});
+  BOOST_CHECK_EXCEPTION(command.field(1.0, {.name = "x", .meaning = "m"}), std::invalid_argument,
                         says("got \"x\" twice"));
   for (const char* taken : {"seed", "quick", "full", "out", "config", "help", "threads"}) {
-    BOOST_CHECK_EXCEPTION(command.field(x, {.name = taken, .meaning = "m"}), std::invalid_argument, says("twice"));
+    BOOST_CHECK_EXCEPTION(command.field(1.0, {.name = taken, .meaning = "m"}), std::invalid_argument, says("twice"));
   }
   for (const char* wrong : {"", "1x", "a-b", "Alpha", "a b"}) {
-    BOOST_CHECK_EXCEPTION(command.field(x, {.name = wrong, .meaning = "m"}), std::invalid_argument,
+    BOOST_CHECK_EXCEPTION(command.field(1.0, {.name = wrong, .meaning = "m"}), std::invalid_argument,
                           says("a name must be a lower-case letter"));
   }
-  BOOST_CHECK_EXCEPTION(command.field(x, {.name = "y", .meaning = ""}), std::invalid_argument,
+  BOOST_CHECK_EXCEPTION(command.field(1.0, {.name = "y", .meaning = ""}), std::invalid_argument,
                         says("meaning must be told"));
 }
 

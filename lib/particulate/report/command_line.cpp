@@ -137,10 +137,17 @@ CommandLine::CommandLine(Program program) : program_(std::move(program)) {
         &common_.threads, true);
 }
 
-void CommandLine::field(double& value, Field field) { enter(std::move(field), &value, false); }
-void CommandLine::field(int& value, Field field) { enter(std::move(field), &value, false); }
-void CommandLine::field(bool& value, Field field) { enter(std::move(field), &value, false); }
-void CommandLine::field(std::string& value, Field field) { enter(std::move(field), &value, false); }
+template <class T>
+T& CommandLine::keep(T value, Field field) {
+  T& kept = std::get<T>(values_.emplace_back(std::move(value)));
+  enter(std::move(field), &kept, false);
+  return kept;
+}
+
+double& CommandLine::field(double value, Field field) { return keep(value, std::move(field)); }
+int& CommandLine::field(int value, Field field) { return keep(value, std::move(field)); }
+bool& CommandLine::field(bool value, Field field) { return keep(value, std::move(field)); }
+std::string& CommandLine::field(std::string value, Field field) { return keep(std::move(value), std::move(field)); }
 
 void CommandLine::enter(Field field, Target target, bool everywhere) {
   if (!is_name(field.name)) {

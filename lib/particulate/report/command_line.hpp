@@ -1,12 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <filesystem>
 #include <functional>
 #include <iosfwd>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -50,30 +52,43 @@ class CommandLine {
  public:
   /// @param program  name, sentence, default folder, and whether it has cases
   explicit CommandLine(Program program);
-  // Fields are known by their addresses, the common ones by addresses in here.
+  // Values are known by their addresses, which are in here.
   CommandLine(const CommandLine&) = delete;
   CommandLine& operator=(const CommandLine&) = delete;
 
-  /// Makes a number a parameter. The variable keeps its default until parse() finds another value.
-  /// @param value  the variable, holding its default; must outlive this object
-  /// @param field  name, meaning, unit, range
+  /// Makes a number a parameter, in one place: its default, what a reader must know of it, and the variable.
+  ///
+  ///     double& step = line.field(1e-3, {"step", "of the cloud", "s", more_than(0.0), "our choice"});
+  ///
+  /// The reference is not const, so that a default of another type does not compile.
+  /// @param value  its default, kept until parse() finds another value
+  /// @param field  name, meaning, unit, range, source
+  /// @return the variable, which lives as long as this object
   /// @throws std::invalid_argument if the name is taken or ill-formed, the meaning empty, or the default out of range
-  void field(double& value, Field field);
-  /// Makes a whole number a parameter. Throws as for a number.
-  /// @param value  the variable, holding its default; must outlive this object
-  /// @param field  name, meaning, unit, range
+  double& field(double value, Field field);
+  /// Makes a whole number a parameter.
+  /// @param value  its default
+  /// @param field  name, meaning, unit, range, source
+  /// @return the variable
   /// @throws std::invalid_argument as for a number
-  void field(int& value, Field field);
-  /// Makes a switch a parameter: true or false. Throws as for a number.
-  /// @param value  the variable, holding its default; must outlive this object
+  int& field(int value, Field field);
+  /// Makes a switch a parameter: true or false.
+  /// @param value  its default
   /// @param field  name and meaning
+  /// @return the variable
   /// @throws std::invalid_argument as for a number
-  void field(bool& value, Field field);
-  /// Makes a text a parameter, usually with one_of(). Throws as for a number.
-  /// @param value  the variable, holding its default; must outlive this object
+  bool& field(bool value, Field field);
+  /// Makes a text a parameter, usually with one_of().
+  /// @param value  its default
   /// @param field  name, meaning, range
+  /// @return the variable
   /// @throws std::invalid_argument as for a number
-  void field(std::string& value, Field field);
+  std::string& field(std::string value, Field field);
+  /// Makes a text a parameter: the other overload, for a literal.
+  /// @param value  its default
+  /// @param field  name, meaning, range
+  /// @return the variable
+  std::string& field(const char* value, Field field) { return this->field(std::string(value), std::move(field)); }
 
   /// Reads the command line, and the file that --config names, into the fields and common().
   /// @param argc   as main() gets it
@@ -109,6 +124,8 @@ class CommandLine {
     bool everywhere;  // seed, threads, quick: every program has them
   };
 
+  template <class T>
+  T& keep(T value, Field field);
   void enter(Field field, Target target, bool everywhere);
   std::optional<int> read_tokens(int argc, const char* const* argv, std::ostream& out);
   void read_file(const std::filesystem::path& file);
@@ -117,6 +134,7 @@ class CommandLine {
 
   Program program_;
   Common common_;
+  std::deque<std::variant<double, int, bool, std::string>> values_;  // a deque leaves them where they are
   std::vector<Entry> entries_;
   std::string line_;
 };

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <deque>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include <particulate/report/checks.hpp>
+#include <particulate/report/command_line.hpp>
+#include <particulate/report/table.hpp>
+
+namespace particulate::report {
+
+/// What a chapter's program works with, and how it ends: its options, its folder, and what it claims of itself.
+class Chapter {
+ public:
+  /// @param line  parsed; must outlive this object
+  /// @throws std::runtime_error if no file can be written to the folder of the results
+  explicit Chapter(const CommandLine& line) : line_(line), output_(line.common().out) {}
+
+  /// @return the options that every program has
+  const Common& common() const { return line_.common(); }
+  /// @return the folder of the results
+  const Output& output() const { return output_; }
+  /// A table of claims, written and printed when the program ends, in the order in which they were first asked for.
+  /// @param table  name of the table, as Output::write() takes it
+  /// @return the claims under that name so far; the reference stays good
+  Checks& claims(const std::string& table);
+
+  /// Ends the run: writes and prints the tables of claims, writes `parameters.toml` and `stamp.json`.
+  /// @param kernel  the variant of the force kernel that ran, for the stamp
+  /// @return the exit status: 0 if something is claimed and every claim holds, otherwise 1
+  /// @throws std::runtime_error if a file cannot be written
+  int end(std::string_view kernel) const;
+
+ private:
+  const CommandLine& line_;
+  Output output_;
+  std::deque<std::pair<std::string, Checks>> claims_;
+};
+
+/// The main() of a chapter's program: parameters in, claims out.
+///
+/// `Parameters` is a struct whose first member is a `CommandLine&` and whose others are `line.field(...)`. What does
+/// not hold between several of them may be refused by a function `validate(parameters)`, which throws before anything
+/// is written.
+/// @param argc     as main() gets it
+/// @param argv     as main() gets it
+/// @param program  name, sentence, default folder
+/// @param kernel   the variant of the force kernel that runs, for the stamp
+/// @param run      the chapter
+/// @return the exit status: 0 if every claim holds or --help was asked for, 1 if one fails, 2 after a refusal
+template <class Parameters>
+int run_chapter(int argc, const char* const* argv, const Program& program, std::string_view kernel,
+                void (*run)(const Parameters&, Chapter&)) {
+  return guarded(program.name, [&] {
+    CommandLine line(program);
+    const Parameters parameters{line};
+    if (const std::optional<int> status = line.parse(argc, argv)) return *status;
+    if constexpr (requires { validate(parameters); }) validate(parameters);
+    Chapter chapter(line);
+    run(parameters, chapter);
+    return chapter.end(kernel);
+  });
+}
+
+}  // namespace particulate::report
