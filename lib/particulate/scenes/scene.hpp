@@ -95,7 +95,7 @@ class Scene {
   bool acceleration(double t, schemes::In r, schemes::Out a) const requires(!needs_velocity) {
     return force(places(t, r), a) && divide_by_mass(a);
   }
-  /// Accelerations at given positions and velocities. @see schemes::StateProblem
+  /// Accelerations at given positions and velocities. @see schemes::MotionProblem
   ///
   /// @param t  time [s]
   /// @param r  positions, 3 N numbers, column by column [m]
