@@ -12,27 +12,10 @@
 namespace tests::contact_test {
 
 using boost::test_tools::tolerance;
-using particulate::contact::any_approach;
-using particulate::contact::ClosedGap;
-using particulate::contact::ConstantRestitution;
-using particulate::contact::Contact;
-using particulate::contact::find_touching;
-using particulate::contact::Friction;
-using particulate::contact::Frictionless;
-using particulate::contact::ImpactRecord;
-using particulate::contact::Impacts;
-using particulate::contact::Resolution;
-using particulate::contact::Restitution;
-using particulate::contact::Touching;
-using particulate::contact::validate;
-using particulate::kinematics::Particles;
-using particulate::kinematics::Space;
-using particulate::kinematics::Vectors;
-using particulate::kinematics::Wall;
-using particulate::laws::Conservative;
-using particulate::laws::Force;
-using particulate::laws::Validated;
-using particulate::schemes::Jump;
+using namespace particulate::contact;
+using namespace particulate::kinematics;
+using namespace particulate::laws;
+using namespace particulate::schemes;
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 const Space room{{Wall{.point = {0.0, 0.0, -1.0}, .normal = {0.0, 0.0, 1.0}},

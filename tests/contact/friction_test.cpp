@@ -8,10 +8,7 @@
 namespace tests::friction_test {
 
 using boost::test_tools::tolerance;
-using particulate::contact::Friction;
-using particulate::contact::stopping_friction;
-using particulate::contact::tangential_impulse;
-using particulate::contact::validate;
+using namespace particulate::contact;
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();

@@ -9,19 +9,7 @@
 namespace tests::impact_test {
 
 using boost::test_tools::tolerance;
-using particulate::contact::Body;
-using particulate::contact::External;
-using particulate::contact::external_changes;
-using particulate::contact::Friction;
-using particulate::contact::Frictionless;
-using particulate::contact::impact;
-using particulate::contact::impact_impulse;
-using particulate::contact::Impulse;
-using particulate::contact::normal_heat;
-using particulate::contact::normal_impulse;
-using particulate::contact::Phases;
-using particulate::contact::phases;
-using particulate::contact::Rebound;
+using namespace particulate::contact;
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr double infinity = std::numeric_limits<double>::infinity();

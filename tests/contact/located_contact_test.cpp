@@ -10,31 +10,10 @@
 namespace tests::located_contact_test {
 
 using boost::test_tools::tolerance;
-using particulate::contact::ClosedGap;
-using particulate::contact::ConstantRestitution;
-using particulate::contact::Contact;
-using particulate::contact::find_touching;
-using particulate::contact::first_impact;
-using particulate::contact::Friction;
-using particulate::contact::Impacts;
-using particulate::contact::LocatedContact;
-using particulate::contact::LocatesImpacts;
-using particulate::contact::Resolution;
-using particulate::contact::resolve_impacts;
-using particulate::contact::Restitution;
-using particulate::contact::Touching;
-using particulate::contact::touching_tolerance;
-using particulate::contact::validate;
-using particulate::kinematics::Particles;
-using particulate::kinematics::Space;
-using particulate::kinematics::Vectors;
-using particulate::kinematics::Wall;
-using particulate::laws::Conservative;
-using particulate::laws::Validated;
-using particulate::laws::Velocity;
-using particulate::schemes::Jump;
-using particulate::schemes::State;
-using particulate::schemes::StepPath;
+using namespace particulate::contact;
+using namespace particulate::kinematics;
+using namespace particulate::laws;
+using namespace particulate::schemes;
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 const Space ground{{Wall{}}};

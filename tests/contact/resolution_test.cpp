@@ -12,15 +12,9 @@
 namespace tests::resolution_test {
 
 using boost::test_tools::tolerance;
-using particulate::contact::ConstantRestitution;
-using particulate::contact::ContactResolver;
-using particulate::contact::Friction;
-using particulate::contact::Frictionless;
-using particulate::contact::Resolution;
+using namespace particulate::contact;
 using particulate::contact::Resolved;
-using particulate::contact::Restitution;
-using particulate::contact::Touch;
-using particulate::kinematics::Vectors;
+using namespace particulate::kinematics;
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 

@@ -10,10 +10,7 @@
 namespace tests::restitution_test {
 
 using boost::test_tools::tolerance;
-using particulate::contact::ConstantRestitution;
-using particulate::contact::Restitution;
-using particulate::contact::restitution_at;
-using particulate::contact::validate;
+using namespace particulate::contact;
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();

@@ -1,5 +1,6 @@
 #include <harness/replay.hpp>
 
+#include <cmath>
 #include <stdexcept>
 
 #include <boost/test/unit_test.hpp>
@@ -9,6 +10,8 @@
 namespace tests::replay_test {
 
 using namespace verification;
+using schemes::Problem;
+using Side = schemes::Hook::Side;
 
 // A first-order problem that can do everything a problem may do.
 struct Able {
@@ -19,21 +22,23 @@ struct Able {
     return t < 2.0;
   }
   bool rate_slow(double, schemes::In y, schemes::Out dy) {
+    ++asked;
     dy = 3.0 * y;
     return true;
   }
   bool rate_fast(double, schemes::In y, schemes::Out dy) {
+    ++asked;
     dy = -4.0 * y;
     return true;
   }
-  void jacobian(double t, schemes::In y, Eigen::MatrixXd& J) { J = -t * Eigen::MatrixXd::Identity(y.size(), y.size()); }
+  void jacobian(double t, schemes::In y, Eigen::MatrixXd& J) {
+    ++asked;
+    J = -t * Eigen::MatrixXd::Identity(y.size(), y.size());
+  }
   schemes::Bandwidth bandwidth() const { return {.lower = 0, .upper = 1}; }
   double distance(schemes::In x, schemes::In y) const { return (x - y).norm(); }
-  schemes::Jump jump(schemes::State&, double) { return {.impacts = 5, .energy_change = 0.0, .unsettled = {}}; }
-  template <class Path>
-  std::optional<double> first_jump(const Path&, double end) {
-    return 0.5 * end;
-  }
+  schemes::Jump jump(schemes::State&, double) { return {.impacts = 5, .evaluations = 2, .unsettled = {}}; }
+  std::optional<double> first_jump(const schemes::StepPath&, double end) { return 0.5 * end; }
 };
 
 struct ByPosition {
@@ -49,102 +54,140 @@ struct ByMotion {
     return true;
   }
 };
+struct Coupled {
+  bool rates(double, schemes::In r, schemes::In v, schemes::In y, schemes::Out a, schemes::Out dy) {
+    a = -r - v;
+    dy = 5.0 * y;
+    return true;
+  }
+};
 
-const Eigen::VectorXd one = Eigen::VectorXd::Ones(2);
+const Eigen::VectorXd none, one = Eigen::VectorXd::Ones(2);
+
+// What a problem answers.
+struct Answer {
+  bool value;
+  Eigen::VectorXd a, dy;
+};
+Answer answer(const Problem& problem, double t, const Eigen::VectorXd& r, const Eigen::VectorXd& v,
+              const Eigen::VectorXd& y) {
+  schemes::Rates rates;
+  const bool value = problem.rates(t, r, v, y, rates);
+  return {value, rates.a, rates.dy};
+}
+Answer rate(const Problem& problem, double t, const Eigen::VectorXd& y, Side side = Side::whole) {
+  if (side == Side::whole) return answer(problem, t, none, none, y);
+  Eigen::VectorXd dy(y.size());
+  const schemes::Where at{t, {nullptr, 0}, {nullptr, 0}, {y.data(), y.size()}};
+  const schemes::Answers to{{nullptr, 0}, {dy.data(), dy.size()}};
+  const bool value = side == Side::slow ? problem.rate_slow(at, to) : problem.rate_fast(at, to);
+  return {value, {}, dy};
+}
+double last_entry_of_jacobian(const Problem& problem, double t) {
+  Eigen::MatrixXd J(2, 2);
+  const Eigen::Map<const Eigen::VectorXd> all(one.data(), 2);
+  problem.jacobian({t, all, all, all}, J);
+  return J(1, 1);
+}
 
 BOOST_AUTO_TEST_SUITE(replayed)
 
 BOOST_AUTO_TEST_CASE(gives_the_recorded_answers_in_order_without_asking_the_problem) {
   Able problem;
-  Recorded<Able> recorded{problem};
-  Eigen::VectorXd dy(2);
-  recorded.rate(0.0, one, dy);
-  recorded.rate(3.0, 2.0 * one, dy);
-  recorded.rate_slow(0.0, one, dy);
-  recorded.rate_fast(0.0, one, dy);
-  BOOST_TEST(recorded.evaluations() == 4);
+  Replay tape;
+  const Problem seen = Problem(problem).with(tape);
+  BOOST_TEST(rate(seen, 0.0, one).value);
+  BOOST_TEST(!rate(seen, 3.0, 2.0 * one).value);
+  rate(seen, 0.0, one, Side::slow);
+  rate(seen, 0.0, one, Side::fast);
+  BOOST_TEST(tape.evaluations() == 4);
 
-  Replayed<Able> replayed(problem, recorded.recording);
+  tape.rewind();
   const Eigen::VectorXd anything = 99.0 * one;
-  BOOST_TEST(replayed.rate(7.0, anything, dy));
-  BOOST_TEST((dy == -one));
-  BOOST_TEST(!replayed.rate(7.0, anything, dy));
-  BOOST_TEST((dy == -2.0 * one));
-  BOOST_TEST(replayed.rate_slow(7.0, anything, dy));
-  BOOST_TEST((dy == 3.0 * one));
-  BOOST_TEST(replayed.rate_fast(7.0, anything, dy));
-  BOOST_TEST((dy == -4.0 * one));
-  BOOST_TEST(replayed.evaluations() == 4);
-  BOOST_TEST(problem.asked == 2);
+  const Answer first = rate(seen, 7.0, anything), second = rate(seen, 7.0, anything);
+  BOOST_TEST(first.value);
+  BOOST_TEST((first.dy == -one));
+  BOOST_TEST(!second.value);
+  BOOST_TEST((second.dy == -2.0 * one));
+  BOOST_TEST((rate(seen, 7.0, anything, Side::slow).dy == 3.0 * one));
+  BOOST_TEST((rate(seen, 7.0, anything, Side::fast).dy == -4.0 * one));
+  BOOST_TEST(tape.evaluations() == 4);
+  BOOST_TEST(problem.asked == 4);
 }
 
 BOOST_AUTO_TEST_CASE(starts_again_after_rewind_and_refuses_to_be_asked_more_often) {
   Able problem;
-  Recorded<Able> recorded{problem};
-  Eigen::VectorXd dy(2);
-  Eigen::MatrixXd J;
-  recorded.rate(0.0, one, dy);
-  Replayed<Able> replayed(problem, recorded.recording);
-  replayed.rate(0.0, one, dy);
-  BOOST_CHECK_EXCEPTION(replayed.rate(0.0, one, dy), std::logic_error,
-                        says("no more right-hand sides than the recorded one"));
-  BOOST_CHECK_EXCEPTION(replayed.jacobian(0.0, one, J), std::logic_error, says("no more Jacobians"));
-  replayed.rewind();
-  BOOST_TEST(replayed.evaluations() == 0);
-  BOOST_TEST(replayed.rate(0.0, one, dy));
+  Replay tape;
+  const Problem seen = Problem(problem).with(tape);
+  rate(seen, 0.0, one);
+  tape.rewind();
+  rate(seen, 0.0, one);
+  BOOST_CHECK_EXCEPTION(rate(seen, 0.0, one), std::logic_error, says("no more right-hand sides than the recorded one"));
+  BOOST_CHECK_EXCEPTION(last_entry_of_jacobian(seen, 0.0), std::logic_error, says("no more Jacobians"));
+  tape.rewind();
+  BOOST_TEST(tape.evaluations() == 0);
+  BOOST_TEST(rate(seen, 0.0, one).value);
 }
 
-BOOST_AUTO_TEST_CASE(serves_second_order_problems_too) {
-  Eigen::VectorXd a(2);
+BOOST_AUTO_TEST_CASE(serves_motions_and_coupled_problems_too) {
   ByPosition by_position;
-  Recorded<ByPosition> positions{by_position};
-  positions.acceleration(0.0, one, a);
-  Replayed<ByPosition> from_positions(by_position, positions.recording);
-  BOOST_TEST(from_positions.acceleration(0.0, 5.0 * one, a));
-  BOOST_TEST((a == -2.0 * one));
-  Eigen::MatrixXd K;
-  positions.jacobian(0.0, one, K);
-  Replayed<ByPosition>(by_position, positions.recording).jacobian(0.0, 5.0 * one, K);
-  BOOST_TEST(K(1, 1) == -2.0);
+  Replay positions;
+  const Problem of_positions = Problem(by_position).with(positions);
+  answer(of_positions, 0.0, one, one, none);
+  BOOST_TEST(last_entry_of_jacobian(of_positions, 0.0) == -2.0);
+  positions.rewind();
+  BOOST_TEST((answer(of_positions, 0.0, 5.0 * one, one, none).a == -2.0 * one));
+  BOOST_TEST(last_entry_of_jacobian(of_positions, 0.0) == -2.0);
 
   ByMotion by_motion;
-  Recorded<ByMotion> motions{by_motion};
-  motions.acceleration(0.0, one, one, a);
-  Replayed<ByMotion> from_motions(by_motion, motions.recording);
-  BOOST_TEST(from_motions.acceleration(0.0, 5.0 * one, one, a));
-  BOOST_TEST((a == -3.0 * one));
+  Replay motions;
+  const Problem of_motions = Problem(by_motion).with(motions);
+  answer(of_motions, 0.0, one, one, none);
+  motions.rewind();
+  BOOST_TEST((answer(of_motions, 0.0, 5.0 * one, one, none).a == -3.0 * one));
+
+  Coupled coupled;
+  Replay both;
+  const Problem of_both = Problem(coupled).with(both);
+  answer(of_both, 0.0, one, one, one);
+  BOOST_TEST(both.evaluations() == 1);
+  both.rewind();
+  const Answer again = answer(of_both, 0.0, 7.0 * one, one, 7.0 * one);
+  BOOST_TEST((again.a == -2.0 * one));
+  BOOST_TEST((again.dy == 5.0 * one));
 }
 
-BOOST_AUTO_TEST_CASE(has_the_abilities_of_its_problem_and_no_others) {
-  const auto path = [](double, schemes::State&) {};
-  static_assert(schemes::FirstOrderProblem<Replayed<Able>> && schemes::FirstOrderProblem<Recorded<Able>>);
-  static_assert(schemes::Splits<Replayed<Able>> && schemes::Splits<Recorded<Able>>);
-  static_assert(schemes::HasJacobian<Replayed<Able>> && schemes::HasJacobian<Recorded<Able>>);
-  static_assert(schemes::Banded<Replayed<Able>> && schemes::Banded<Recorded<Able>>);
-  static_assert(schemes::Measures<Replayed<Able>> && schemes::Measures<Recorded<Able>>);
-  static_assert(schemes::LocatesJumps<Replayed<Able>, decltype(path)>);
-  static_assert(schemes::LocatesJumps<Recorded<Able>, decltype(path)>);
-  static_assert(schemes::PositionProblem<Replayed<ByPosition>> && !schemes::StateProblem<Replayed<ByPosition>>);
-  static_assert(schemes::StateProblem<Recorded<ByMotion>> && !schemes::PositionProblem<Recorded<ByMotion>>);
-  static_assert(!schemes::Measures<Replayed<ByPosition>> && !schemes::Jumps<Recorded<ByPosition>>);
-  static_assert(schemes::HasJacobian<Recorded<ByPosition>> && schemes::HasJacobian<Replayed<ByPosition>>);
-  static_assert(!schemes::HasJacobian<Recorded<ByMotion>> && !schemes::Splits<Replayed<ByPosition>>);
-  static_assert(!schemes::Banded<Replayed<ByPosition>>);
-
+BOOST_AUTO_TEST_CASE(replays_jacobians_and_leaves_all_else_to_the_problem) {
   Able problem;
-  Recorded<Able> recorded{problem};
-  Eigen::MatrixXd J;
-  recorded.jacobian(3.0, one, J);
-  Replayed<Able> replayed(problem, recorded.recording);
-  replayed.jacobian(8.0, one, J);
-  BOOST_TEST(J(1, 1) == -3.0);
-  BOOST_TEST(recorded.bandwidth().upper == 1);
-  BOOST_TEST(replayed.bandwidth().upper == 1);
+  Replay tape;
+  const Problem seen = Problem(problem).with(tape);
+  BOOST_TEST(last_entry_of_jacobian(seen, 3.0) == -3.0);
+  tape.rewind();
+  BOOST_TEST(last_entry_of_jacobian(seen, 8.0) == -3.0);
+  BOOST_TEST(problem.asked == 1);
+  BOOST_TEST(seen.bandwidth().value().upper == 1);
+  BOOST_TEST(seen.distance(one, 2.0 * one) == std::sqrt(2.0));
+  const schemes::State from;
+  const schemes::StepPath path{.scheme = nullptr, .at = nullptr, .from = from, .dt = 1.0, .intervals = 1};
+  BOOST_TEST(seen.first_jump(path, 1.0).value() == 0.5);
+
+  ByMotion plain;
+  const Problem less = Problem(plain).with(tape);
+  BOOST_TEST((!less.has_jacobian() && !less.splits() && !less.jumps() && !less.bandwidth()));
+}
+
+BOOST_AUTO_TEST_CASE(counts_what_jumps_ask_for_in_the_recording_and_in_the_replay) {
+  Able problem;
+  Replay tape;
+  const Problem seen = Problem(problem).with(tape);
   schemes::State at;
-  BOOST_TEST(replayed.jump(at, 0.1).impacts == 5);
-  BOOST_TEST(replayed.first_jump(path, 1.0).value() == 0.5);
-  BOOST_TEST(replayed.distance(one, 2.0 * one) == std::sqrt(2.0));
-  BOOST_TEST(recorded.distance(one, 2.0 * one) == std::sqrt(2.0));
+  rate(seen, 0.0, one);
+  BOOST_TEST(seen.jump(at, 0.1).impacts == 5);
+  BOOST_TEST(tape.evaluations() == 3);
+  tape.rewind();
+  rate(seen, 0.0, one);
+  BOOST_TEST(seen.jump(at, 0.1).impacts == 5);
+  BOOST_TEST(tape.evaluations() == 3);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -13,17 +13,7 @@
 namespace tests::breathing_test {
 
 using boost::test_tools::tolerance;
-using particulate::kinematics::Breathing;
-using particulate::kinematics::breathing_body;
-using particulate::kinematics::breathing_pair;
-using particulate::kinematics::Radial;
-using particulate::kinematics::RadialForce;
-using particulate::kinematics::regular_polygon;
-using particulate::kinematics::regular_solid;
-using particulate::kinematics::small_oscillation_period;
-using particulate::kinematics::strength;
-using particulate::kinematics::vector;
-using particulate::kinematics::Vectors;
+using namespace particulate::kinematics;
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double eps = std::numeric_limits<double>::epsilon();

@@ -12,18 +12,7 @@
 namespace tests::central_force_test {
 
 using boost::test_tools::tolerance;
-using particulate::kinematics::CentralForce;
-using particulate::kinematics::equilibrium_distance;
-using particulate::kinematics::force;
-using particulate::kinematics::is_stable;
-using particulate::kinematics::normal_stiffness;
-using particulate::kinematics::potential;
-using particulate::kinematics::power;
-using particulate::kinematics::reduced_mass;
-using particulate::kinematics::small_oscillation_period;
-using particulate::kinematics::strength;
-using particulate::kinematics::transverse_stiffness;
-using particulate::kinematics::validate;
+using namespace particulate::kinematics;
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();

@@ -8,12 +8,7 @@
 
 namespace tests::domain_test {
 
-using particulate::kinematics::Domain;
-using particulate::kinematics::HasWalls;
-using particulate::kinematics::height_above;
-using particulate::kinematics::Space;
-using particulate::kinematics::validate;
-using particulate::kinematics::Wall;
+using namespace particulate::kinematics;
 
 struct WithoutSeparation {};
 

@@ -7,12 +7,7 @@
 
 namespace tests::energy_test {
 
-using particulate::kinematics::kinetic_energy;
-using particulate::kinematics::KineticEnergy;
-using particulate::kinematics::power_of;
-using particulate::kinematics::split_kinetic_energy;
-using particulate::kinematics::Vectors;
-using particulate::kinematics::work_between;
+using namespace particulate::kinematics;
 
 const Eigen::Vector2d mass(1.0, 3.0);
 const Vectors velocity{{2.0, -1.0, 0.0}, {0.0, 1.0, 4.0}};

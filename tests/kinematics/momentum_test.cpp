@@ -7,12 +7,7 @@
 
 namespace tests::momentum_test {
 
-using particulate::kinematics::angular_momentum;
-using particulate::kinematics::centre_of_mass;
-using particulate::kinematics::impulse_between;
-using particulate::kinematics::linear_momentum;
-using particulate::kinematics::moment;
-using particulate::kinematics::Vectors;
+using namespace particulate::kinematics;
 
 const Eigen::Vector2d mass(1.0, 3.0);
 const Vectors position{{1.0, 0.0, 2.0}, {0.0, -1.0, 0.0}};

@@ -8,14 +8,7 @@
 
 namespace tests::particles_test {
 
-using particulate::kinematics::inverse_masses;
-using particulate::kinematics::Particles;
-using particulate::kinematics::relative_motion;
-using particulate::kinematics::RelativeMotion;
-using particulate::kinematics::set_vector;
-using particulate::kinematics::validate;
-using particulate::kinematics::vector;
-using particulate::kinematics::Vectors;
+using namespace particulate::kinematics;
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();

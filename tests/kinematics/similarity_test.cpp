@@ -7,16 +7,7 @@
 
 namespace tests::similarity_test {
 
-using particulate::kinematics::CentralForce;
-using particulate::kinematics::Dimensional;
-using particulate::kinematics::Particles;
-using particulate::kinematics::scaled;
-using particulate::kinematics::Scales;
-using particulate::kinematics::similarity_groups;
-using particulate::kinematics::SimilarityGroups;
-using particulate::kinematics::strength;
-using particulate::kinematics::validate;
-using particulate::kinematics::Vectors;
+using namespace particulate::kinematics;
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();

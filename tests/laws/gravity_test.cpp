@@ -9,17 +9,10 @@
 
 namespace tests::gravity_test {
 
-using particulate::kinematics::Particles;
-using particulate::kinematics::Space;
-using particulate::kinematics::Vectors;
-using particulate::laws::AddsForce;
-using particulate::laws::At;
-using particulate::laws::Conservative;
-using particulate::laws::Gravity;
-using particulate::laws::validate;
-using particulate::scenes::Scene;
-using particulate::scenes::start;
-using particulate::schemes::State;
+using namespace particulate::kinematics;
+using namespace particulate::laws;
+using namespace particulate::scenes;
+using namespace particulate::schemes;
 
 static_assert(AddsForce<Gravity, Space, At<>> && Conservative<Gravity, Space>);
 

@@ -4,18 +4,8 @@
 
 namespace tests::law_test {
 
-using particulate::kinematics::Space;
-using particulate::kinematics::Vectors;
-using particulate::laws::At;
-using particulate::laws::Conservative;
-using particulate::laws::Force;
-using particulate::laws::Forces;
-using particulate::laws::needs_temperature;
-using particulate::laws::needs_velocity;
-using particulate::laws::Scratch;
-using particulate::laws::Temperature;
-using particulate::laws::Validated;
-using particulate::laws::Velocity;
+using namespace particulate::kinematics;
+using namespace particulate::laws;
 
 // A uniform field.
 struct Weight {};

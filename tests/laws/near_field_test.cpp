@@ -16,22 +16,8 @@
 namespace tests::near_field_test {
 
 using boost::test_tools::tolerance;
-using particulate::kinematics::CentralForce;
-using particulate::kinematics::moment;
-using particulate::kinematics::Space;
-using particulate::kinematics::Vectors;
-using particulate::laws::At;
-using particulate::laws::best_kernel;
-using particulate::laws::charges;
-using particulate::laws::Forces;
-using particulate::laws::is_available;
-using particulate::laws::is_full;
-using particulate::laws::Kernel;
-using particulate::laws::name;
-using particulate::laws::NearField;
-using particulate::laws::pair_law;
-using particulate::laws::Scaling;
-using particulate::laws::validate;
+using namespace particulate::kinematics;
+using namespace particulate::laws;
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();

@@ -12,20 +12,8 @@
 
 namespace tests::bdf_test {
 
-using particulate::reference::Adams;
-using particulate::reference::BandedJacobian;
-using particulate::reference::Bdf;
-using particulate::reference::DenseJacobian;
-using particulate::reference::Direction;
-using particulate::reference::Events;
-using particulate::reference::integrate;
-using particulate::reference::Integrator;
-using particulate::schemes::In;
-using particulate::schemes::Out;
-using particulate::schemes::Outcome;
-using particulate::schemes::Problem;
-using particulate::schemes::State;
-using particulate::schemes::Status;
+using namespace particulate::reference;
+using namespace particulate::schemes;
 
 constexpr double pi = std::numbers::pi;
 

@@ -14,17 +14,8 @@
 
 namespace tests::events_test {
 
-using particulate::reference::Adams;
-using particulate::reference::Direction;
-using particulate::reference::Events;
-using particulate::reference::ExplicitRungeKutta;
-using particulate::reference::Hit;
-using particulate::reference::Integrator;
-using particulate::schemes::In;
-using particulate::schemes::Out;
-using particulate::schemes::Outcome;
-using particulate::schemes::State;
-using particulate::schemes::Status;
+using namespace particulate::reference;
+using namespace particulate::schemes;
 
 constexpr double pi = std::numbers::pi;
 const double not_a_number = std::numeric_limits<double>::quiet_NaN();

@@ -11,12 +11,8 @@
 
 namespace tests::fixed_point_test {
 
-using particulate::reference::FixedPoint;
-using particulate::reference::FixedPointSettings;
-using particulate::reference::Map;
-using particulate::reference::solve_fixed_point;
-using particulate::schemes::In;
-using particulate::schemes::Out;
+using namespace particulate::reference;
+using namespace particulate::schemes;
 
 const double not_a_number = std::numeric_limits<double>::quiet_NaN();
 const double infinity = std::numeric_limits<double>::infinity();

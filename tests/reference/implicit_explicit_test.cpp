@@ -12,19 +12,8 @@
 
 namespace tests::implicit_explicit_test {
 
-using particulate::reference::additive_tables;
-using particulate::reference::AdditiveTable;
-using particulate::reference::ImplicitExplicit;
-using particulate::reference::integrate;
-using particulate::reference::Integrator;
-using particulate::reference::name;
-using particulate::reference::order;
-using particulate::schemes::In;
-using particulate::schemes::Out;
-using particulate::schemes::Outcome;
-using particulate::schemes::Problem;
-using particulate::schemes::State;
-using particulate::schemes::Status;
+using namespace particulate::reference;
+using namespace particulate::schemes;
 
 bool holds(const std::string& text, const std::string& words) { return text.find(words) != std::string::npos; }
 

@@ -26,24 +26,8 @@
 
 namespace tests::integrator_test {
 
-using particulate::reference::Adams;
-using particulate::reference::Bdf;
-using particulate::reference::embedded_order;
-using particulate::reference::ExplicitRungeKutta;
-using particulate::reference::ImplicitExplicit;
-using particulate::reference::integrate;
-using particulate::reference::Integrator;
-using particulate::reference::Method;
-using particulate::reference::name;
-using particulate::reference::order;
-using particulate::reference::solve_fixed_point;
-using particulate::reference::Table;
-using particulate::reference::tables;
-using particulate::schemes::In;
-using particulate::schemes::Out;
-using particulate::schemes::Outcome;
-using particulate::schemes::State;
-using particulate::schemes::Status;
+using namespace particulate::reference;
+using namespace particulate::schemes;
 
 constexpr double pi = std::numbers::pi;
 

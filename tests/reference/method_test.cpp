@@ -11,20 +11,7 @@
 
 namespace tests::method_test {
 
-using particulate::reference::Adams;
-using particulate::reference::additive_tables;
-using particulate::reference::AdditiveTable;
-using particulate::reference::BandedJacobian;
-using particulate::reference::Bdf;
-using particulate::reference::embedded_order;
-using particulate::reference::ExplicitRungeKutta;
-using particulate::reference::ImplicitExplicit;
-using particulate::reference::name;
-using particulate::reference::order;
-using particulate::reference::Table;
-using particulate::reference::table_named;
-using particulate::reference::tables;
-using particulate::reference::validate;
+using namespace particulate::reference;
 
 const double not_a_number = std::numeric_limits<double>::quiet_NaN();
 const double infinity = std::numeric_limits<double>::infinity();

@@ -16,26 +16,11 @@
 namespace tests::located_contact_test {
 
 using boost::test_tools::tolerance;
-using particulate::contact::ConstantRestitution;
-using particulate::contact::Contact;
-using particulate::contact::LocatedContact;
-using particulate::kinematics::Particles;
-using particulate::kinematics::Space;
-using particulate::kinematics::Vectors;
-using particulate::kinematics::Wall;
-using particulate::laws::Gravity;
-using particulate::scenes::Scene;
-using particulate::scenes::start;
-using particulate::schemes::Direction;
-using particulate::schemes::Failure;
-using particulate::schemes::FixedStep;
-using particulate::schemes::integrate;
-using particulate::schemes::LocatesJumps;
-using particulate::schemes::Out;
-using particulate::schemes::Outcome;
-using particulate::schemes::State;
-using particulate::schemes::Status;
-using particulate::schemes::Watch;
+using namespace particulate::contact;
+using namespace particulate::kinematics;
+using namespace particulate::laws;
+using namespace particulate::scenes;
+using namespace particulate::schemes;
 
 using Bouncing = Scene<Space, Gravity, LocatedContact<>>;
 static_assert(LocatesJumps<Bouncing> && LocatesJumps<const Bouncing>);

@@ -17,36 +17,11 @@
 namespace tests::scene_test {
 
 using boost::test_tools::tolerance;
-using particulate::contact::ConstantRestitution;
-using particulate::contact::Contact;
-using particulate::contact::Friction;
-using particulate::contact::Resolution;
-using particulate::contact::Restitution;
-using particulate::kinematics::CentralForce;
-using particulate::kinematics::Particles;
-using particulate::kinematics::Scales;
-using particulate::kinematics::Space;
-using particulate::kinematics::Vectors;
-using particulate::kinematics::Wall;
-using particulate::laws::At;
-using particulate::laws::Forces;
-using particulate::laws::Gravity;
-using particulate::laws::NearField;
-using particulate::laws::Velocity;
-using particulate::scenes::Scene;
-using particulate::scenes::start;
-using particulate::schemes::FixedStep;
-using particulate::schemes::integrate;
-using particulate::schemes::Jump;
-using particulate::schemes::Jumps;
-using particulate::schemes::Measures;
-using particulate::schemes::MotionProblem;
-using particulate::schemes::Out;
-using particulate::schemes::Outcome;
-using particulate::schemes::PositionProblem;
-using particulate::schemes::State;
-using particulate::schemes::Status;
-using particulate::schemes::VelocityVerlet;
+using namespace particulate::contact;
+using namespace particulate::kinematics;
+using namespace particulate::laws;
+using namespace particulate::scenes;
+using namespace particulate::schemes;
 
 // A uniform field along -z that grows with time; its potential is that of the moment.
 struct Weight {

@@ -9,13 +9,7 @@
 
 namespace tests::collocation_table_test {
 
-using particulate::schemes::collocation_table;
-using particulate::schemes::CollocationTable;
-using particulate::schemes::Gauss;
-using particulate::schemes::gauss_nodes;
-using particulate::schemes::Radau;
-using particulate::schemes::radau_nodes;
-using particulate::schemes::table_of;
+using namespace particulate::schemes;
 
 // By how much sum_j weights_j c_j^(k-1) misses upto^k/k, the integral of x^(k-1), for k up to `order`.
 double defect(const Eigen::VectorXd& weights, const Eigen::VectorXd& c, double upto, int order) {

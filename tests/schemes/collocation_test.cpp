@@ -13,28 +13,7 @@
 
 namespace tests::collocation_test {
 
-using particulate::schemes::Advances;
-using particulate::schemes::BackwardEuler;
-using particulate::schemes::Collocation;
-using particulate::schemes::CollocationSettings;
-using particulate::schemes::Dense;
-using particulate::schemes::EstimatesTruncation;
-using particulate::schemes::Failure;
-using particulate::schemes::FixedStep;
-using particulate::schemes::Gauss;
-using particulate::schemes::Guess;
-using particulate::schemes::In;
-using particulate::schemes::integrate;
-using particulate::schemes::Iteration;
-using particulate::schemes::Iterative;
-using particulate::schemes::Newton;
-using particulate::schemes::Out;
-using particulate::schemes::Outcome;
-using particulate::schemes::Picard;
-using particulate::schemes::Radau;
-using particulate::schemes::State;
-using particulate::schemes::Truncation;
-using particulate::schemes::validate;
+using namespace particulate::schemes;
 
 using Gauss3 = Collocation<Gauss<3>>;
 using Stiff = Collocation<Radau<3>, Newton<>>;

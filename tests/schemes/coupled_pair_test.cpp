@@ -4,13 +4,7 @@
 
 namespace tests::coupled_pair_test {
 
-using particulate::schemes::FirstOrderPair;
-using particulate::schemes::FirstOrderProblem;
-using particulate::schemes::HasJacobian;
-using particulate::schemes::MeasuresFields;
-using particulate::schemes::SecondOrderPair;
-using particulate::schemes::StaggeredProblem;
-using particulate::schemes::State;
+using namespace particulate::schemes;
 
 static_assert(FirstOrderProblem<FirstOrderPair> && HasJacobian<FirstOrderPair> && StaggeredProblem<FirstOrderPair> &&
               !MeasuresFields<FirstOrderPair>);

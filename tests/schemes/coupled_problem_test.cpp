@@ -17,35 +17,7 @@
 
 namespace tests::coupled_problem_test {
 
-using particulate::schemes::Advances;
-using particulate::schemes::Anderson;
-using particulate::schemes::Attempt;
-using particulate::schemes::Collocation;
-using particulate::schemes::Decision;
-using particulate::schemes::DenseStages;
-using particulate::schemes::FixedStep;
-using particulate::schemes::ForwardEuler;
-using particulate::schemes::Gauss;
-using particulate::schemes::In;
-using particulate::schemes::integrate;
-using particulate::schemes::Iteration;
-using particulate::schemes::Jump;
-using particulate::schemes::Newton;
-using particulate::schemes::Out;
-using particulate::schemes::Outcome;
-using particulate::schemes::phi_K;
-using particulate::schemes::PhiControl;
-using particulate::schemes::PhiFamily;
-using particulate::schemes::Picard;
-using particulate::schemes::Problem;
-using particulate::schemes::Radau;
-using particulate::schemes::Range;
-using particulate::schemes::RungeKutta4;
-using particulate::schemes::Sequential;
-using particulate::schemes::SparseStages;
-using particulate::schemes::State;
-using particulate::schemes::Status;
-using particulate::schemes::VelocityVerlet;
+using namespace particulate::schemes;
 
 // r = cos t and y = 1/(1 + t): every coupling vanishes on the solution alone, so that none is left out unseen.
 // r'' = -r + (y - s) r [- (v + sin t)/2] and y' = -y^2 + r - cos t [+ (v + sin t) y/2] with s = 1/(1 + t).

@@ -10,14 +10,7 @@
 namespace tests::crossing_test {
 
 using boost::test_tools::tolerance;
-using particulate::schemes::Along;
-using particulate::schemes::bracketed_root;
-using particulate::schemes::chebyshev_points;
-using particulate::schemes::Crossing;
-using particulate::schemes::Direction;
-using particulate::schemes::first_crossing;
-using particulate::schemes::Sample;
-using particulate::schemes::ZeroRules;
+using namespace particulate::schemes;
 
 using Function = std::function<double(double)>;
 

@@ -9,13 +9,7 @@
 namespace tests::error_control_test {
 
 using boost::test_tools::tolerance;
-using particulate::schemes::Controller;
-using particulate::schemes::Decision;
-using particulate::schemes::ErrorControl;
-using particulate::schemes::Failure;
-using particulate::schemes::Iteration;
-using particulate::schemes::Truncation;
-using particulate::schemes::validate;
+using namespace particulate::schemes;
 
 static_assert(Controller<ErrorControl>);
 

@@ -6,11 +6,7 @@
 
 namespace tests::euler_test {
 
-using particulate::schemes::Advances;
-using particulate::schemes::ForwardEuler;
-using particulate::schemes::In;
-using particulate::schemes::Out;
-using particulate::schemes::State;
+using namespace particulate::schemes;
 
 // No value before t = 0.
 struct Damped {

@@ -18,27 +18,7 @@
 namespace tests::events_test {
 
 using boost::test_tools::tolerance;
-using particulate::schemes::Action;
-using particulate::schemes::Attempt;
-using particulate::schemes::Decision;
-using particulate::schemes::describe;
-using particulate::schemes::Direction;
-using particulate::schemes::Events;
-using particulate::schemes::Failure;
-using particulate::schemes::FixedStep;
-using particulate::schemes::Hit;
-using particulate::schemes::In;
-using particulate::schemes::integrate;
-using particulate::schemes::Iteration;
-using particulate::schemes::Jump;
-using particulate::schemes::Out;
-using particulate::schemes::Outcome;
-using particulate::schemes::State;
-using particulate::schemes::Status;
-using particulate::schemes::Unobserved;
-using particulate::schemes::validate;
-using particulate::schemes::Watch;
-using particulate::schemes::WatchSettings;
+using namespace particulate::schemes;
 
 constexpr double pi = std::numbers::pi;
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();

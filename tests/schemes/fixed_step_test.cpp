@@ -7,12 +7,7 @@
 
 namespace tests::fixed_step_test {
 
-using particulate::schemes::Attempt;
-using particulate::schemes::Controller;
-using particulate::schemes::Decision;
-using particulate::schemes::FixedStep;
-using particulate::schemes::Iteration;
-using particulate::schemes::validate;
+using namespace particulate::schemes;
 
 static_assert(Controller<FixedStep>);
 

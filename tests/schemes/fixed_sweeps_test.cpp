@@ -7,11 +7,7 @@
 
 namespace tests::fixed_sweeps_test {
 
-using particulate::schemes::Controller;
-using particulate::schemes::Decision;
-using particulate::schemes::Failure;
-using particulate::schemes::FixedSweeps;
-using particulate::schemes::validate;
+using namespace particulate::schemes;
 
 static_assert(Controller<FixedSweeps>);
 

@@ -20,33 +20,7 @@
 namespace tests::integrate_test {
 
 using boost::test_tools::tolerance;
-using particulate::schemes::Attempt;
-using particulate::schemes::BackwardEuler;
-using particulate::schemes::Collocation;
-using particulate::schemes::Decision;
-using particulate::schemes::Failure;
-using particulate::schemes::FixedStep;
-using particulate::schemes::FixedSweeps;
-using particulate::schemes::Gauss;
-using particulate::schemes::In;
-using particulate::schemes::integrate;
-using particulate::schemes::Iteration;
-using particulate::schemes::Jump;
-using particulate::schemes::Out;
-using particulate::schemes::Outcome;
-using particulate::schemes::PhiControl;
-using particulate::schemes::PhiFamily;
-using particulate::schemes::Problem;
-using particulate::schemes::Rates;
-using particulate::schemes::rounding_of_time;
-using particulate::schemes::RungeKutta4;
-using particulate::schemes::State;
-using particulate::schemes::Status;
-using particulate::schemes::step_towards_end;
-using particulate::schemes::TimeScale;
-using particulate::schemes::Traits;
-using particulate::schemes::validate_run;
-using particulate::schemes::VelocityVerlet;
+using namespace particulate::schemes;
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();

@@ -8,20 +8,7 @@
 namespace tests::iteration_test {
 
 using boost::test_tools::tolerance;
-using particulate::schemes::at_rounding;
-using particulate::schemes::Attempt;
-using particulate::schemes::Decision;
-using particulate::schemes::Failure;
-using particulate::schemes::In;
-using particulate::schemes::Iteration;
-using particulate::schemes::IterationMeasure;
-using particulate::schemes::Out;
-using particulate::schemes::PartMeasures;
-using particulate::schemes::phi_K;
-using particulate::schemes::Range;
-using particulate::schemes::shows_contraction;
-using particulate::schemes::unmet;
-using particulate::schemes::worst_of;
+using namespace particulate::schemes;
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double infinity = std::numeric_limits<double>::infinity();

@@ -6,8 +6,7 @@
 
 namespace tests::mixing_test {
 
-using particulate::schemes::Anderson;
-using particulate::schemes::Picard;
+using namespace particulate::schemes;
 
 // x = M x + c with M = diag(2, -3, 0.5): no contraction. The fixed point is (-1, 1/4, 2).
 const Eigen::Vector3d slopes(2.0, -3.0, 0.5), constant(1.0, 1.0, 1.0), fixed_point(-1.0, 0.25, 2.0);

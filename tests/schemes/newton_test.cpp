@@ -10,16 +10,7 @@
 
 namespace tests::newton_test {
 
-using particulate::schemes::Bandwidth;
-using particulate::schemes::difference_jacobian;
-using particulate::schemes::difference_step;
-using particulate::schemes::In;
-using particulate::schemes::NewtonSteps;
-using particulate::schemes::Out;
-using particulate::schemes::Problem;
-using particulate::schemes::SparseJacobian;
-using particulate::schemes::StageEquations;
-using particulate::schemes::State;
+using namespace particulate::schemes;
 
 // Each value sees its neighbours: dy_i = y_{i-1} - 3 y_i + 2 y_{i+1}.
 struct Chain {

@@ -9,13 +9,7 @@
 namespace tests::phi_control_test {
 
 using boost::test_tools::tolerance;
-using particulate::schemes::Attempt;
-using particulate::schemes::Controller;
-using particulate::schemes::Decision;
-using particulate::schemes::Failure;
-using particulate::schemes::Iteration;
-using particulate::schemes::PhiControl;
-using particulate::schemes::validate;
+using namespace particulate::schemes;
 
 static_assert(Controller<PhiControl>);
 

@@ -15,24 +15,7 @@
 namespace tests::phi_family_test {
 
 using boost::test_tools::tolerance;
-using particulate::schemes::Advances;
-using particulate::schemes::Anderson;
-using particulate::schemes::BackwardEuler;
-using particulate::schemes::FixedStep;
-using particulate::schemes::FixedSweeps;
-using particulate::schemes::FixesSweeps;
-using particulate::schemes::In;
-using particulate::schemes::integrate;
-using particulate::schemes::Iteration;
-using particulate::schemes::Iterative;
-using particulate::schemes::Out;
-using particulate::schemes::Outcome;
-using particulate::schemes::PhiFamily;
-using particulate::schemes::Picard;
-using particulate::schemes::Problem;
-using particulate::schemes::State;
-using particulate::schemes::Status;
-using particulate::schemes::TimeScale;
+using namespace particulate::schemes;
 
 struct Spring {
   double stiffness = 1.0;

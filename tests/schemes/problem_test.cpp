@@ -10,42 +10,7 @@
 
 namespace tests::problem_test {
 
-using particulate::schemes::Answers;
-using particulate::schemes::AnyProblem;
-using particulate::schemes::Banded;
-using particulate::schemes::Bandwidth;
-using particulate::schemes::CoupledProblem;
-using particulate::schemes::FirstOrderProblem;
-using particulate::schemes::HasJacobian;
-using particulate::schemes::HasRanges;
-using particulate::schemes::HasSparseJacobian;
-using particulate::schemes::HasStepLimits;
-using particulate::schemes::HasWholeJacobian;
-using particulate::schemes::Hook;
-using particulate::schemes::In;
-using particulate::schemes::Jump;
-using particulate::schemes::Jumps;
-using particulate::schemes::LocatesJumps;
-using particulate::schemes::Measures;
-using particulate::schemes::MeasuresFields;
-using particulate::schemes::MotionProblem;
-using particulate::schemes::Out;
-using particulate::schemes::Part;
-using particulate::schemes::PositionProblem;
-using particulate::schemes::Problem;
-using particulate::schemes::Range;
-using particulate::schemes::Rates;
-using particulate::schemes::SecondOrderProblem;
-using particulate::schemes::SparseJacobian;
-using particulate::schemes::Splits;
-using particulate::schemes::StaggeredProblem;
-using particulate::schemes::State;
-using particulate::schemes::StepPath;
-using particulate::schemes::TimeScale;
-using particulate::schemes::Traits;
-using particulate::schemes::traits;
-using particulate::schemes::traits_of;
-using particulate::schemes::Where;
+using namespace particulate::schemes;
 
 // Everything a first-order problem can offer; every answer is another number. No value before t = 0.
 struct EveryFirstOrderAbility {

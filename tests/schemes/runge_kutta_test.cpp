@@ -12,15 +12,7 @@
 namespace tests::runge_kutta_test {
 
 using boost::test_tools::tolerance;
-using particulate::schemes::FixedStep;
-using particulate::schemes::In;
-using particulate::schemes::integrate;
-using particulate::schemes::Out;
-using particulate::schemes::Outcome;
-using particulate::schemes::RungeKutta4;
-using particulate::schemes::State;
-using particulate::schemes::Status;
-using particulate::schemes::TimeScale;
+using namespace particulate::schemes;
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 

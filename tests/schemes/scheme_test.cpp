@@ -12,24 +12,7 @@
 
 namespace tests::scheme_test {
 
-using particulate::schemes::Advances;
-using particulate::schemes::Controller;
-using particulate::schemes::Decision;
-using particulate::schemes::Dense;
-using particulate::schemes::In;
-using particulate::schemes::Iteration;
-using particulate::schemes::Iterative;
-using particulate::schemes::Limited;
-using particulate::schemes::Measured;
-using particulate::schemes::Out;
-using particulate::schemes::Outcome;
-using particulate::schemes::Problem;
-using particulate::schemes::RungeKutta4;
-using particulate::schemes::Scheme;
-using particulate::schemes::Staggered;
-using particulate::schemes::State;
-using particulate::schemes::Status;
-using particulate::schemes::VelocityVerlet;
+using namespace particulate::schemes;
 
 struct Spring {
   bool acceleration(double, In r, Out a) const {

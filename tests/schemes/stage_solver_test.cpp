@@ -11,17 +11,7 @@
 
 namespace tests::stage_solver_test {
 
-using particulate::schemes::Bandwidth;
-using particulate::schemes::collocation_table;
-using particulate::schemes::gauss_nodes;
-using particulate::schemes::In;
-using particulate::schemes::NewtonSteps;
-using particulate::schemes::Out;
-using particulate::schemes::Problem;
-using particulate::schemes::radau_nodes;
-using particulate::schemes::SparseJacobian;
-using particulate::schemes::StageEigenvalues;
-using particulate::schemes::State;
+using namespace particulate::schemes;
 
 StageEigenvalues gauss(int s) { return StageEigenvalues(collocation_table(gauss_nodes(s)).A); }
 

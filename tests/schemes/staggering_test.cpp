@@ -14,21 +14,7 @@
 namespace tests::staggering_test {
 
 using boost::test_tools::tolerance;
-using particulate::schemes::Advances;
-using particulate::schemes::Aitken;
-using particulate::schemes::Field;
-using particulate::schemes::FirstOrderPair;
-using particulate::schemes::FixedStep;
-using particulate::schemes::integrate;
-using particulate::schemes::Iteration;
-using particulate::schemes::Iterative;
-using particulate::schemes::Measured;
-using particulate::schemes::Outcome;
-using particulate::schemes::Part;
-using particulate::schemes::SecondOrderPair;
-using particulate::schemes::Seen;
-using particulate::schemes::Staggered;
-using particulate::schemes::State;
+using namespace particulate::schemes;
 
 static_assert(Iterative<Staggered> && Measured<Staggered> && Advances<Staggered, FirstOrderPair>);
 

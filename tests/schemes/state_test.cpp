@@ -6,11 +6,7 @@
 
 namespace tests::state_test {
 
-using particulate::schemes::advance_time;
-using particulate::schemes::flat;
-using particulate::schemes::is_finite;
-using particulate::schemes::State;
-using particulate::schemes::unflatten;
+using namespace particulate::schemes;
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -90,12 +86,23 @@ BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE(advance_time_)
 
-BOOST_AUTO_TEST_CASE(adds_the_step_to_the_time_and_leaves_the_rest) {
-  const State from = numbered();
+// t = 0.5 with 0.25 carried, and a step of 0.125.
+BOOST_AUTO_TEST_CASE(adds_the_step_and_what_was_carried_and_leaves_the_rest) {
   State to{.t = 9.0, .y = Eigen::VectorXd::Ones(1)};
-  advance_time(from, 0.125, to);
-  BOOST_TEST(to.t == 0.625);
+  advance_time(numbered(), 0.125, to);
+  BOOST_TEST(to.t == 0.875);
+  BOOST_TEST(to.t_carry == 0.0);
   BOOST_TEST(to.y[0] == 1.0);
+}
+
+// The time of 1.7e9 s has a rounding of 2.4e-7 s: a plain sum of steps of 1e-7 s would stand still.
+BOOST_AUTO_TEST_CASE(carries_on_what_rounding_takes) {
+  State at{.t = 1.7e9};
+  for (int n = 0; n < 100000; ++n) {
+    const State from = at;
+    advance_time(from, 1e-7, at);
+  }
+  BOOST_TEST((at.t - 1.7e9) + at.t_carry == 0.01, boost::test_tools::tolerance(1e-9));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -8,8 +8,7 @@
 
 namespace tests::step_settings_test {
 
-using particulate::schemes::Decision;
-using particulate::schemes::Failure;
+using namespace particulate::schemes;
 using particulate::schemes::detail::retried;
 using particulate::schemes::detail::StepSettings;
 using particulate::schemes::detail::validate;

@@ -10,16 +10,7 @@
 
 namespace tests::sweeps_test {
 
-using particulate::schemes::BackwardEuler;
-using particulate::schemes::FirstOrderPair;
-using particulate::schemes::In;
-using particulate::schemes::Out;
-using particulate::schemes::PhiFamily;
-using particulate::schemes::Problem;
-using particulate::schemes::Staggered;
-using particulate::schemes::State;
-using particulate::schemes::sweep_by_hand;
-using particulate::schemes::Sweeps;
+using namespace particulate::schemes;
 
 // No value before t = 0.
 struct Decay {

@@ -12,15 +12,7 @@
 namespace tests::verlet_test {
 
 using boost::test_tools::tolerance;
-using particulate::schemes::FixedStep;
-using particulate::schemes::In;
-using particulate::schemes::integrate;
-using particulate::schemes::Out;
-using particulate::schemes::Outcome;
-using particulate::schemes::Problem;
-using particulate::schemes::State;
-using particulate::schemes::TimeScale;
-using particulate::schemes::VelocityVerlet;
+using namespace particulate::schemes;
 
 struct Spring {
   double stiffness = 1.0;

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <particulate/laws/law.hpp>
 #include <particulate/kinematics/central_force.hpp>
+#include <particulate/laws/law.hpp>
 
 /// @file
 /// A law of the cases' own: a centre that does not move, so that momenta are not conserved.

@@ -26,8 +26,7 @@ void advance(P& problem, particulate::schemes::State& state, double t_end, long 
 
 /// The states of a run at equal steps, the start and the end included.
 template <class S, class P>
-std::vector<particulate::schemes::State> path(P& problem, particulate::schemes::State state, double t_end,
-                                               long steps) {
+std::vector<particulate::schemes::State> path(P& problem, particulate::schemes::State state, double t_end, long steps) {
   std::vector<particulate::schemes::State> states{state};
   S scheme;
   particulate::schemes::FixedStep control{.step = (t_end - state.t) / static_cast<double>(steps)};

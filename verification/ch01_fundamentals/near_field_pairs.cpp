@@ -115,8 +115,12 @@ void compare(Rows& rows, const laws::NearField& law, Eigen::Index N, const std::
 
 // A law adds to what is there: twice the same forces are twice the forces.
 double error_of_adding(const laws::NearField& law, const kinematics::Particles& cloud) {
-  const laws::At<> at{
-      .t = 0.0, .position{cloud.position.data(), cloud.size(), 3}, .mass = cloud.mass, .radius = cloud.radius};
+  laws::Scratch scratch;
+  const laws::At<> at{.t = 0.0,
+                      .position{cloud.position.data(), cloud.size(), 3},
+                      .mass = cloud.mass,
+                      .radius = cloud.radius,
+                      .scratch = scratch};
   Eigen::VectorXd once = Eigen::VectorXd::Zero(3 * cloud.size());
   Eigen::VectorXd onto = Eigen::VectorXd::Constant(3 * cloud.size(), 1.0);
   const bool had_values = add_force(law, kinematics::Space{}, at, laws::Forces(once.data(), cloud.size(), 3)) &&

@@ -42,8 +42,8 @@ schemes::State by_reference(NearFieldScene& scene, const reference::Method& meth
 // A scheme may be as far from the judge as halving its steps moves it, times 1/(1 - 2^-order) and a fifth; and no
 // farther than `worst`, so that a scheme cannot excuse itself by being coarse.
 template <class S>
-void compare_scheme(Rows& rows, const std::string& what, NearFieldScene& scene, const schemes::State& judge,
-                    long steps, double worst) {
+void compare_scheme(Rows& rows, const std::string& what, NearFieldScene& scene, const schemes::State& judge, long steps,
+                    double worst) {
   const schemes::State coarse = by_steps<S>(scene, steps), fine = by_steps<S>(scene, 2 * steps);
   const double moved = difference(coarse, fine);
   rows.at_most(

@@ -16,7 +16,7 @@ using namespace particulate;
 // Two-sided orders are claimed by order_rk4 and order_verlet, before the bodies turn. Tuned on the softest pair and
 // reported on all: orders above 8 cost CVODE more than they gain, and ARKODE gains from an absolute tolerance above the
 // relative one. Velocity Verlet takes so many times the steps of RK4.
-std::vector<Competitor> everybody(const Race<NearFieldScene>& race, const Steps& steps, double tightest, int verlet) {
+std::vector<Competitor> everybody(const Race& race, const Steps& steps, double tightest, int verlet) {
   using reference::ExplicitRungeKutta, reference::Table;
   const double tenth = race.outputs.front();
   const std::vector<double> tight = tolerances(tightest);
@@ -33,7 +33,7 @@ std::vector<Competitor> everybody(const Race<NearFieldScene>& race, const Steps&
           tuned(competitor("ARKODE Fehlberg 8(7), absolute 1000 relative", race, tight, by(fehlberg, 1e3)))};
 }
 
-void measure(Rows& rows, const std::string& problem, const Race<NearFieldScene>& race, Steps steps, int verlet = 4) {
+void measure(Rows& rows, const std::string& problem, const Race& race, Steps steps, int verlet = 4) {
   if (rows.full()) steps.times += 1;
   // The closed form is rounded to doubles; its own error, in extended precision, lies below.
   rows.work_precision({.problem = problem,
@@ -69,8 +69,7 @@ const Case pentagon{claim_of("pentagon", "five bodies that breathe, alpha2 = 0.5
 
 // RK4 that moves by 1.001 steps and calls it one: the smallest kind of defect that a diagram must show.
 struct TooLongSteps : schemes::RungeKutta4 {
-  template <class P>
-  bool predict(P& problem, const schemes::State& from, double dt, schemes::State& to) {
+  bool predict(const schemes::Problem& problem, const schemes::State& from, double dt, schemes::State& to) {
     const bool value = schemes::RungeKutta4::predict(problem, from, 1.001 * dt, to);
     to.t = from.t + dt;
     return value;
@@ -83,7 +82,7 @@ const Case defect{
      .equation = "D 1.4.1",
      .reference = Reference::closed_form},
     [](Rows& rows) {
-      const Race<NearFieldScene> race = breathing_pair_race(0.5);
+      const Race race = breathing_pair_race(0.5);
       const std::vector<double> sizes = step_sizes(race.outputs.front(), {2, 2.0, 6});
       rows.work_precision(
           {.problem = "planted_defect",

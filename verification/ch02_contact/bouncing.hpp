@@ -6,8 +6,8 @@
 
 #include <particulate/contact/contact.hpp>
 #include <particulate/kinematics/domain.hpp>
-#include <particulate/reference/integrator.hpp>
 #include <particulate/laws/gravity.hpp>
+#include <particulate/reference/integrator.hpp>
 #include <particulate/scenes/scene.hpp>
 
 /// @file
@@ -66,7 +66,7 @@ inline BouncingScene bouncing_scene(const std::vector<double>& heights, double e
 
 /// Where and how fast balls of such a scene are.
 inline particulate::schemes::State bouncing_truth(const BouncingScene& scene, const std::vector<double>& heights,
-                                                   double e, double t) {
+                                                  double e, double t) {
   particulate::schemes::State there = particulate::scenes::start(scene);
   const auto N = static_cast<Eigen::Index>(heights.size());
   there.t = t;

@@ -5,8 +5,8 @@
 
 #include <particulate/contact/contact.hpp>
 #include <particulate/contact/impact.hpp>
-#include <particulate/laws/near_field.hpp>
 #include <particulate/kinematics/domain.hpp>
+#include <particulate/laws/near_field.hpp>
 #include <particulate/reference/integrator.hpp>
 #include <particulate/scenes/scene.hpp>
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -9,6 +10,7 @@
 
 #include <harness/case.hpp>
 #include <harness/races.hpp>
+#include <particulate/reference/integrator.hpp>
 #include <particulate/schemes/runge_kutta.hpp>
 #include <particulate/schemes/verlet.hpp>
 
@@ -29,13 +31,12 @@ std::vector<double> halved(double largest, int count) {
 
 // CVODE with the absolute tolerance a tenth of the relative one.
 template <class Change>
-auto by_roots(const reference::Events& events, const Change& change) {
-  return [=](auto& problem, const schemes::State& start, double tolerance) {
+Begin by_roots(const reference::Events& events, const Change& change) {
+  return [=](const schemes::Problem& problem, const schemes::State& start, double tolerance) -> Advance {
     const reference::Adams settings{.relative = tolerance, .absolute = 0.1 * tolerance};
-    return [integrator = reference::Integrator(problem, start, settings, events), change](schemes::State& state,
-                                                                                          double t_end) mutable {
-      return advance_through_impacts(integrator, state, t_end, change);
-    };
+    return
+        [integrator = std::make_shared<reference::Integrator>(problem, start, settings, events), change](
+            schemes::State& state, double t_end) { return advance_through_impacts(*integrator, state, t_end, change); };
   };
 }
 
@@ -49,8 +50,7 @@ const Case bouncing{
       std::vector<double> heights;
       for (int k = 0; k < 16; ++k) heights.push_back(0.4 * (0.98 + 0.04 * (k + 0.5) / 16.0));
       const BouncingScene scene = bouncing_scene(heights, e);
-      Race<BouncingScene> race{
-          .problem = scene, .start = scenes::start(scene), .outputs = {0.15, 0.4, 0.65}, .truth = {}};
+      Race race{.problem = scene, .start = scenes::start(scene), .outputs = {0.15, 0.4, 0.65}, .truth = {}};
       race.truth = [=](double t) { return bouncing_truth(scene, heights, e, t); };
       race.length = 0.4;
       race.speed = Bouncing{.h = 0.4, .e = e}.impact_speed(0);
@@ -120,8 +120,7 @@ const Case three_bodies{
      .reference = Reference::sundials},
     [](Rows& rows) {
       ThreeBodyScene scene = three_body_scene();
-      Race<ThreeBodyScene> race{
-          .problem = scene, .start = scenes::start(scene), .outputs = {0.6, 1.2, 2.0, 2.9}, .truth = {}};
+      Race race{.problem = scene, .start = scenes::start(scene), .outputs = {0.6, 1.2, 2.0, 2.9}, .truth = {}};
       std::vector<schemes::State> exact;
       double disagreement = 0.0;
       for (const double t : race.outputs) {

@@ -83,7 +83,7 @@ Competitor competitor(std::string name, const Race& race, std::vector<double> se
 template <class Scheme, class Control>
 Begin under(Scheme scheme, Control control) {
   return [scheme, control](const schemes::Problem& problem, const schemes::State&, double setting) -> Advance {
-    return [problem, scheme, now = control(setting)](schemes::State& state, double t_end) mutable {
+    return [&problem, scheme, now = control(setting)](schemes::State& state, double t_end) mutable {
       return schemes::integrate(problem, state, t_end, scheme, now);
     };
   };

@@ -337,6 +337,7 @@ class Run {
 
 Outcome run(const Task& task) {
   validate_run(task.problem.traits(), task.state, task.t_end);
+  task.control_can.validate(task.control);
   return Run(task).go();
 }
 

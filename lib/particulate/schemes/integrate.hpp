@@ -103,6 +103,7 @@ inline constexpr SchemeTable scheme_table_of = scheme_table<S>();
 
 struct ControlTable {
   bool ignores_truncation, fixes_step;
+  void (*validate)(const void*);
   double (*dt)(const void*);
   bool (*goes_on)(const void*, const Iteration&);
   Decision (*judge)(void*, const Attempt&);
@@ -114,6 +115,7 @@ template <Controller C>
 inline constexpr ControlTable control_table_of{
     .ignores_truncation = IgnoresTruncation<C>,
     .fixes_step = FixesStep<C>,
+    .validate = [](const void* c) { validate(*static_cast<const C*>(c)); },
     .dt = [](const void* c) -> double { return static_cast<const C*>(c)->dt(); },
     .goes_on = [](const void* c, const Iteration& it) { return static_cast<const C*>(c)->goes_on(it); },
     .judge = [](void* c, const Attempt& made) { return static_cast<C*>(c)->judge(made); },
@@ -156,7 +158,6 @@ Outcome integrate(P& problem, State& state, double t_end, S& scheme, C& control,
                 "problem");
   static_assert(LocatesFor<S, P>,
                 "events and located jumps need a scheme with dense output, at(from, dt, theta, there)");
-  validate(control);
   auto observe = [&](const State& from, const State& to, double dt) -> bool {
     return observer(from, to, dt, std::as_const(scheme));
   };

@@ -64,8 +64,9 @@ bool is_finite(const State& state);
 /// @param dt    the step [s]
 /// @param to    receives the time of its end
 inline void advance_time(const State& from, double dt, State& to) {
-  to.t = from.t + dt;
-  to.t_carry = 0.0;
+  const double step = dt + from.t_carry;
+  to.t = from.t + step;
+  to.t_carry = step - (to.t - from.t);
 }
 
 /// Rates of change of a state, beyond r' = v.

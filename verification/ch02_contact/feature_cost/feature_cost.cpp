@@ -6,8 +6,8 @@
 
 #include <harness/counted_program.hpp>
 #include <particulate/contact/contact.hpp>
-#include <particulate/laws/near_field.hpp>
 #include <particulate/laws/gravity.hpp>
+#include <particulate/laws/near_field.hpp>
 #include <particulate/scenes/scene.hpp>
 #include <particulate/schemes/fixed_step.hpp>
 #include <particulate/schemes/integrate.hpp>
@@ -52,13 +52,13 @@ const kinematics::Particles thin = cloud(0.1, 0.01), thick = cloud(0.46, 1.0);
 // Walls half a spacing outside the lattice, or farther.
 Space box(double away) {
   const double low = -0.5 - away, high = static_cast<double>(side) - 0.5 + away;
-  Space walls;
+  Space space;
   for (int axis = 0; axis < 3; ++axis) {
     const Eigen::Vector3d n = Eigen::Vector3d::Unit(axis);
-    walls.walls.push_back(Wall{.point = low * n, .normal = n});
-    walls.walls.push_back(Wall{.point = high * n, .normal = -n});
+    space.walls.push_back(Wall{.point = low * n, .normal = n});
+    space.walls.push_back(Wall{.point = high * n, .normal = -n});
   }
-  return walls;
+  return space;
 }
 
 const Gravity weight{.g = {0.0, 0.0, -0.1}};
@@ -89,7 +89,7 @@ CountedRun scene(const kinematics::Particles& particles, const D& domain, long s
 template <class Force>
 CountedRun by_hand(const kinematics::Particles& particles, long steps, const Force& add) {
   schemes::State motion = start_of(particles);
-  auto& [t, r, v] = motion;
+  auto& [t, r, v, y, t_carry] = motion;
   Eigen::VectorXd f = Eigen::VectorXd::Zero(3 * N), inverse(3 * N);
   for (Eigen::Index axis = 0; axis < 3; ++axis) inverse.segment(axis * N, N) = particles.mass.cwiseInverse();
   add(r, f);
@@ -109,7 +109,9 @@ void weigh(const kinematics::Particles& particles, schemes::Out f) {
 }
 
 void attract(const kinematics::Particles& particles, schemes::In r, schemes::Out f) {
-  const laws::At<> at{.t = 0.0, .position = {r.data(), N, 3}, .mass = particles.mass, .radius = particles.radius};
+  static laws::Scratch scratch;
+  const laws::At<> at{
+      .t = 0.0, .position = {r.data(), N, 3}, .mass = particles.mass, .radius = particles.radius, .scratch = scratch};
   if (!add_force(field, Space{}, at, laws::Forces(f.data(), N, 3))) throw std::runtime_error("no force");
 }
 
