@@ -89,6 +89,17 @@ BOOST_AUTO_TEST_CASE(names_the_wall_what_must_hold_and_what_was_given) {
   refuses({.point = {0.0, 0.0, std::numeric_limits<double>::infinity()}}, "got (0, 0, inf) m");
 }
 
+BOOST_AUTO_TEST_CASE(refuses_a_space_that_repeats_itself) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  const auto refuses = [](const Eigen::Vector3d& lengths, const char* words) {
+    BOOST_CHECK_EXCEPTION(validate(Space{.lengths = lengths}), std::invalid_argument, says(words));
+  };
+  refuses({2.0, infinite, infinite}, "space: its length in direction x must be infinite, got 2 m");
+  refuses({infinite, -infinite, infinite}, "space: its length in direction y must be infinite, got -inf m");
+  refuses({infinite, infinite, std::numeric_limits<double>::quiet_NaN()},
+          "space: its length in direction z must be infinite, got nan m");
+}
+
 BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace tests::domain_test

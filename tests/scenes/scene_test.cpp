@@ -47,6 +47,24 @@ bool add_force(const Drag& law, const D&, const At<Velocity>& at, Forces force) 
   return true;
 }
 
+// Slows what is faster than allowed.
+struct SpeedLimit {
+  double most;
+};
+template <class D>
+Jump jump(const SpeedLimit& law, const D&, const At<Velocity>& at, double, Out velocity) {
+  Jump done;
+  Forces v(velocity.data(), at.mass.size(), 3);
+  for (Eigen::Index i = 0; i < at.mass.size(); ++i) {
+    const double speed = v.row(i).norm();
+    if (!(speed > law.most)) continue;
+    v.row(i) *= law.most / speed;
+    done.energy_change += 0.5 * at.mass[i] * (law.most * law.most - speed * speed);
+    ++done.impacts;
+  }
+  return done;
+}
+
 // Has no value outside a slab.
 struct Slab {};
 bool add_force(const Slab&, const Space&, const At<>& at, Forces) { return (at.position.col(0).array() < 10.0).all(); }
@@ -76,6 +94,9 @@ static_assert(PositionProblem<Colliding>, "a contact asks for velocities after s
 static_assert(!Jumps<Falling> && !Jumps<Dragged> && Falling::jumping_laws == 0,
               "a scene without contact does not jump");
 static_assert(MotionProblem<Scene<Space, Drag, Contact<Restitution, Friction>>>);
+static_assert(Jumps<Scene<Space, SpeedLimit>> && Scene<Space, SpeedLimit>::jumping_laws == 1);
+static_assert(Scene<Space, SpeedLimit, Gravity, Contact<>>::jumping_laws == 2);
+static_assert(PositionProblem<Scene<Space, SpeedLimit>>, "a limit is no force");
 
 Particles two_particles() {
   return {.position = Vectors{{1.0, 2.0, 3.0}, {3.0, 2.0, 3.0}},
@@ -251,6 +272,31 @@ BOOST_AUTO_TEST_CASE(moves_alike_to_the_last_bit_when_scaled_by_powers_of_two) {
   BOOST_TEST(!close(state.r, start(small).r, {.absolute = 0.01}));
 }
 
+// Scenes keep working memory from call to call: a copy has its own, so that steps of one do not show in the other.
+BOOST_AUTO_TEST_CASE(copied_runs_to_the_same_bits_whatever_the_original_does_meanwhile) {
+  const auto run = [](const auto& scene, State& state, double t_end) {
+    VelocityVerlet scheme;
+    FixedStep control{.step = 0.01};
+    BOOST_TEST((integrate(scene, state, t_end, scheme, control).status == Status::reached));
+  };
+  const Scene scene(cradle(), Space{}, NearField{.alpha1 = 0.1, .alpha2 = 0.2}, Contact{});
+  State whole = start(scene);
+  run(scene, whole, 0.4);
+  const Scene copy = scene;
+  State by_scene = start(scene), by_copy = start(copy);
+  for (const double t_end : {0.2, 0.4}) {
+    run(scene, by_scene, t_end);
+    run(copy, by_copy, t_end);
+  }
+  run(scene, by_scene, 0.5);
+  run(copy, by_copy, 0.5);
+  run(scene, whole, 0.5);
+  BOOST_TEST(close(by_copy.r, by_scene.r, {}));
+  BOOST_TEST(close(by_copy.v, by_scene.v, {}));
+  BOOST_TEST(close(by_copy.r, whole.r, {}));
+  BOOST_TEST(!close(by_copy.r, start(scene).r, {.absolute = 0.01}));
+}
+
 BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE(start_)
@@ -306,7 +352,7 @@ BOOST_AUTO_TEST_CASE(particles_send_others_back) {
 
 BOOST_AUTO_TEST_SUITE_END()
 
-BOOST_AUTO_TEST_SUITE(Walled_)
+BOOST_AUTO_TEST_SUITE(Space_)
 
 BOOST_AUTO_TEST_CASE(domain_is_checked) {
   const Space crooked{{Wall{.normal = {0.0, 0.0, 2.0}}}};
@@ -396,6 +442,29 @@ BOOST_AUTO_TEST_CASE(shows_velocities_to_the_law_that_asks) {
   BOOST_TEST(state.v[2] == 0.95, tolerance(1e-14));  // the drag gives +10 m/s^2
 }
 
+// The limit sees what contact left, and nothing where contact could not be settled.
+BOOST_AUTO_TEST_CASE(is_made_by_one_law_after_the_other) {
+  const Contact contact{.restitution = ConstantRestitution{0.5}};
+  const Scene scene(ball(0.375, {0.0, 0.0, -4.0}), floor_at_zero, contact, SpeedLimit{1.0});
+  State state = start(scene);
+  const Jump jump = scene.jump(state, 0.1);  // to 2 m/s, then to 1
+  BOOST_TEST(close(state.v, Eigen::Vector3d(0.0, 0.0, 1.0), {}));
+  BOOST_TEST(jump.impacts == 2);
+  BOOST_TEST(jump.energy_change == 1.0 - 16.0);
+  BOOST_TEST(jump.overlap == 0.125);
+  BOOST_TEST(jump.evaluations == 1);
+  BOOST_REQUIRE(jump.by_law.size() == 2U);
+  BOOST_TEST(jump.by_law[0].energy_change == 4.0 - 16.0);
+  BOOST_TEST(jump.by_law[1].energy_change == 1.0 - 4.0);
+
+  Particles together = two_particles();
+  together.position.row(1) = together.position.row(0);
+  const Scene coincident(together, Space{}, contact, SpeedLimit{0.1});
+  state = start(coincident);
+  BOOST_TEST(!coincident.jump(state, 0.1).unsettled.empty());
+  BOOST_TEST(close(state.v, start(coincident).v, {}));
+}
+
 BOOST_AUTO_TEST_CASE(is_unsettled_where_forces_have_no_value_or_centres_coincide) {
   Particles outside = two_particles();
   outside.position << 11.0, 0.0, 0.0, 11.5, 0.0, 0.0;
@@ -456,6 +525,38 @@ BOOST_AUTO_TEST_CASE(reports_impacts_overlap_and_energy) {
   BOOST_TEST(outcome.energy_change == 4.0 - 16.0);
   BOOST_TEST(outcome.overlap == 0.0);
   BOOST_TEST(state.r[2] == 0.5 + 6 * 0.0625 * 2.0);
+}
+
+// Limited to 3 m/s at the end of the first step, 16 J become 9 (at z = 0.75); two steps later contact at z = 0.375
+// makes 2.25 of them, and 1.5 m/s.
+BOOST_AUTO_TEST_CASE(reports_what_each_law_that_jumps_did) {
+  const Contact contact{.restitution = ConstantRestitution{0.5}};
+  const auto run = [](const auto& scene) {
+    State state = start(scene);
+    VelocityVerlet scheme;
+    FixedStep control{.step = 0.0625};
+    const Outcome outcome = integrate(scene, state, 0.5, scheme, control);
+    BOOST_TEST(state.r[2] == 0.375 + 5 * 0.0625 * 1.5);
+    BOOST_TEST(outcome.impacts == 2);
+    BOOST_TEST(outcome.energy_change == -13.75);
+    BOOST_TEST(outcome.overlap == 0.125);
+    return outcome;
+  };
+  const Particles falling = ball(1.0, {0.0, 0.0, -4.0});
+  const Outcome contact_first = run(Scene(falling, floor_at_zero, contact, SpeedLimit{3.0}));
+  const Outcome limit_first = run(Scene(falling, floor_at_zero, SpeedLimit{3.0}, contact));
+  BOOST_REQUIRE(contact_first.jumps_by_law.size() == 2U);
+  BOOST_REQUIRE(limit_first.jumps_by_law.size() == 2U);
+  for (std::size_t k = 0; k < 2; ++k) {
+    BOOST_TEST(contact_first.jumps_by_law[k].impacts == 1);
+    BOOST_TEST(contact_first.jumps_by_law[k].energy_change == (k == 0 ? -6.75 : -7.0));
+    BOOST_TEST(limit_first.jumps_by_law[k].energy_change == (k == 0 ? -7.0 : -6.75));
+  }
+  const Scene alone(falling, floor_at_zero, contact);
+  State state = start(alone);
+  VelocityVerlet scheme;
+  FixedStep control{.step = 0.0625};
+  BOOST_TEST(integrate(alone, state, 0.5, scheme, control).jumps_by_law.empty());  // all of it is this law's
 }
 
 BOOST_AUTO_TEST_CASE(fails_where_a_jump_is_not_settled) {

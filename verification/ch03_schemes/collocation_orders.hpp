@@ -34,7 +34,7 @@ struct CollocationSteps {
 /// @param rows     where to
 /// @param problem  the right-hand side
 /// @param exact    its motion at a time
-/// @param at       one line each for Gauss 1 ... 8 and Radau 1, 2, 3
+/// @param at       one line each for Gauss 1 ... 7, Radau 1, 2, 3 and, if it is there, Gauss 8
 void compare_collocation_orders(Rows& rows, const particulate::schemes::Problem& problem,
                                 const std::function<particulate::schemes::State(double)>& exact,
                                 const std::vector<CollocationSteps>& at);

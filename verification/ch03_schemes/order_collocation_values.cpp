@@ -44,10 +44,10 @@ const Case order_collocation_values{
                                   {.t_end = 28.3, .coarsest = 20, .dense_end = 2.3, .dense_coarse = 8},
                                   {.t_end = 28.3, .coarsest = 15, .dense_end = 4.6, .dense_coarse = 8},
                                   {.t_end = 28.3, .coarsest = 10, .dense_end = 7.9, .dense_coarse = 8},
-                                  {.t_end = 28.3, .coarsest = 8, .dense_end = 11.3, .dense_coarse = 8},
                                   {.t_end = 2.3, .coarsest = 3000, .dense_end = 2.3, .dense_coarse = 3000},
                                   {.t_end = 2.3, .coarsest = 40, .dense_end = 2.3, .dense_coarse = 40},
-                                  {.t_end = 2.3, .coarsest = 16, .dense_end = 2.3, .dense_coarse = 24}});
+                                  {.t_end = 2.3, .coarsest = 16, .dense_end = 2.3, .dense_coarse = 24},
+                                  {.t_end = 28.3, .coarsest = 8, .dense_end = 11.3, .dense_coarse = 8}});
     }};
 
 }  // namespace verification::order_collocation_values

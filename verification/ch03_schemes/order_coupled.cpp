@@ -15,16 +15,16 @@ namespace verification::order_coupled {
 
 using namespace particulate::schemes;
 
-// A charge on the unit circle, as in order_collocation_velocity, in a field that follows a dipole y, and the dipole, which
-// follows the charge: with |r| = 1, y = v and y.v = 1 the terms with q pull inwards by q, those with k and l vanish, and
-// y' = -r. Off the circle each feels the other, and the force feels the velocity.
+// A charge on the unit circle, as in order_collocation_velocity, in a field that a dipole y makes stronger, and the
+// dipole, which follows the charge: with |r| = 1 and y = v the field pulls inwards by q, and y' = -r. Off the circle
+// each feels the other, and the force feels the velocity. Errors of the start grow by 30 in 28 s.
 struct ChargeAndDipole {
-  double q = 0.4, k = 0.5, l = 0.3;
+  double q = 0.4, k = 0.5, l = -0.3;
 
   bool rates(double, In r, In v, In y, Out a, Out dy) const {
-    const double d = r.norm();
-    a = -(1.0 - q) / (d * d * d) * r + q * y.dot(v) / (d * d) * Eigen::Vector2d{-v[1], v[0]};
-    dy = -y.squaredNorm() * r + k * (v - y) + l * r.dot(y) * v;
+    const double d = r.norm(), field = q * (0.7 + 0.3 * y.dot(v));
+    a = -(1.0 - q) / (d * d * d) * r + field / (d * d) * Eigen::Vector2d{-v[1], v[0]};
+    dy = (0.2 * y.squaredNorm() - 1.2) * r + k * (v - y) + l * r.dot(y) * v;
     return true;
   }
   State exact(double t) const {
@@ -88,8 +88,9 @@ void compare_orders(Rows& rows, const std::string& problem_name, const P& proble
 
 const Case order_coupled{
     {.name = "order_coupled",
-     .claim = "where motion and values act on each other every scheme that can advance both has its order, neither less "
-              "nor more",
+     .claim =
+         "where motion and values act on each other every scheme that can advance both has its order, neither less "
+         "nor more",
      .equation = "D 3.4",
      .reference = Reference::convergence},
     [](Rows& rows) {
@@ -99,8 +100,8 @@ const Case order_coupled{
 
 const Case order_collocation_coupled{
     {.name = "order_collocation_coupled",
-     .claim = "where motion and values act on each other Gauss collocation has order 2 s and Radau IIA 2 s - 1, neither "
-              "less nor more, and their dense output has error s + 1",
+     .claim = "where motion and values act on each other Gauss collocation of up to seven stages has order 2 s "
+              "and Radau IIA 2 s - 1, neither less nor more, and their dense output has error s + 1",
      .equation = "D 3.4",
      .reference = Reference::convergence},
     [](Rows& rows) {
@@ -113,7 +114,6 @@ const Case order_collocation_coupled{
                                   {.t_end = 28.3, .coarsest = 20, .dense_end = 2.3, .dense_coarse = 8},
                                   {.t_end = 28.3, .coarsest = 15, .dense_end = 4.6, .dense_coarse = 8},
                                   {.t_end = 28.3, .coarsest = 11, .dense_end = 7.9, .dense_coarse = 8},
-                                  {.t_end = 28.3, .coarsest = 7, .dense_end = 11.3, .dense_coarse = 6},
                                   {.t_end = 2.3, .coarsest = 3000, .dense_end = 2.3, .dense_coarse = 3000},
                                   {.t_end = 2.3, .coarsest = 40, .dense_end = 2.3, .dense_coarse = 40},
                                   {.t_end = 2.3, .coarsest = 16, .dense_end = 2.3, .dense_coarse = 24}});
@@ -165,10 +165,9 @@ const Case coupled_against_sundials{
         State state = start;
         FixedStep control{.step = t_end / 400.0};
         require_reached(integrate(problem, state, t_end, scheme, control));
-        rows.compare(method + " from ARKODE", {.expected = 0.0,
-                                               .computed = apart(state, arkode),
-                                               .tolerance = absolute(tolerance),
-                                               .because = because});
+        rows.compare(
+            method + " from ARKODE",
+            {.expected = 0.0, .computed = apart(state, arkode), .tolerance = absolute(tolerance), .because = because});
       };
       compare("RK4", RungeKutta4{}, 1e-9, "order 4: (1/100)^4 over some hundreds");
       compare("phi = 1/2", BackwardEuler(0.5), 1e-4, "order 2: (1/100)^2");
