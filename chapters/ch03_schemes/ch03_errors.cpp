@@ -43,9 +43,9 @@ struct VanDerPol {
 
 //! @section ch03_stiff 9. Stiffness: Newton in place of sweeps
 //!
-//! The *equation* of a step is another matter, as in @ref ch03_bargain "section 1". The factor of a step on \f$ \dot y = \lambda y \f$ is
-//! a rational function R(z). We solve by Newton's method, which particulate::schemes::Newton does at the cost of one
-//! decomposition for a step size, and measure it on both axes:
+//! The *equation* of a step is another matter, as in @ref ch03_bargain "section 1". The factor of a step on
+//! \f$ \dot y = \lambda y \f$ is a rational function R(z). We solve by Newton's method, which
+//! particulate::schemes::Newton does at the cost of one decomposition for a step size, and measure it on both axes:
 
 void stiffness_and_errors(const Parameters& p, const report::Output& output, report::Checks& checks) {
   const schemes::State one{.t = 0.0, .y = Eigen::Vector2d(1.0, 0.0)};
@@ -118,9 +118,10 @@ void stiffness_and_errors(const Parameters& p, const report::Output& output, rep
   //!
   //! @section ch03_both 10. Two errors, one step
   //!
-  //! @ref ch03_truncation "Section 5" showed what \f$ \Phi_K \f$ cannot see. A polynomial through s rates can: if its leading coefficient is
-  //! small beside the rates the step resolves them. From their ratio follows an estimate of what the step leaves, with
-  //! no further force (particulate::schemes::Collocation). The control then takes the smaller of two wishes,
+  //! @ref ch03_truncation "Section 5" showed what \f$ \Phi_K \f$ cannot see. A polynomial through s rates can: if its
+  //! leading coefficient is small beside the rates the step resolves them. From their ratio follows an estimate of
+  //! what the step leaves, with no further force (particulate::schemes::Collocation). The control then takes the
+  //! smaller of two wishes,
   //!
   //! \f[ \Delta t^{new} = \min\left\{\Phi_K,\ 0.9 \left(\frac{TOL}{\text{estimate}}\right)^{1/(p+1)}\right\}
   //!     \Delta t. \f]
