@@ -46,7 +46,8 @@ void require_length(Eigen::Index given, Eigen::Index N);
 ///
 /// @equation{M 2.1} Composed at compile time: absent laws leave no code, no loops and no arrays. If a law asks for
 /// velocities the scene is a MotionProblem, else a PositionProblem. A law that the scene does not understand does not
-/// compile. A state of another length than 3 N is a caller's mistake and throws std::invalid_argument.
+/// compile. A state of another length than 3 N is a caller's mistake and throws std::invalid_argument. A scene
+/// serves one run at a time, because its laws share its scratch; a copy is cheap, and threads take copies.
 template <kinematics::Domain D, class... Laws>
 class Scene {
   static_assert(
