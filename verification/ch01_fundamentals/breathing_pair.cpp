@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <harness/breathing.hpp>
 #include <harness/case.hpp>
 #include <particulate/schemes/runge_kutta.hpp>
 #include <particulate/schemes/verlet.hpp>
 
-#include "breathing.hpp"
 #include "fifty_digits.hpp"
 #include "references.hpp"
 

@@ -5,10 +5,10 @@
 
 #include <fmt/format.h>
 
+#include <harness/breathing.hpp>
 #include <harness/case.hpp>
 #include <particulate/schemes/runge_kutta.hpp>
 
-#include "breathing.hpp"
 #include "references.hpp"
 
 namespace verification::breathing_polygon {

@@ -4,13 +4,13 @@
 
 #include <Eigen/Geometry>
 
+#include <harness/breathing.hpp>
 #include <harness/case.hpp>
+#include <harness/turning_pair.hpp>
 #include <particulate/kinematics/momentum.hpp>
 #include <particulate/schemes/runge_kutta.hpp>
 
-#include "breathing.hpp"
 #include "references.hpp"
-#include "turning_pair.hpp"
 
 namespace verification::breathing_rotating {
 

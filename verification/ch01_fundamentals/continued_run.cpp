@@ -3,11 +3,10 @@
 #include <string>
 
 #include <harness/case.hpp>
+#include <harness/motions.hpp>
+#include <harness/starts.hpp>
 #include <particulate/schemes/runge_kutta.hpp>
 #include <particulate/schemes/verlet.hpp>
-
-#include "motions.hpp"
-#include "starts.hpp"
 
 namespace verification::continued_run {
 

@@ -5,14 +5,14 @@
 #include <vector>
 
 #include <harness/case.hpp>
+#include <harness/motions.hpp>
+#include <harness/starts.hpp>
 #include <particulate/kinematics/energy.hpp>
 #include <particulate/kinematics/momentum.hpp>
 #include <particulate/schemes/runge_kutta.hpp>
 
 #include "differences.hpp"
 #include "fixed_centre.hpp"
-#include "motions.hpp"
-#include "starts.hpp"
 
 namespace verification::energy_rate {
 

@@ -5,11 +5,11 @@
 #include <fmt/format.h>
 
 #include <harness/case.hpp>
+#include <harness/starts.hpp>
 #include <particulate/kinematics/central_force.hpp>
 
 #include "differences.hpp"
 #include "fifty_digits.hpp"
-#include "starts.hpp"
 
 namespace verification::equilibrium {
 

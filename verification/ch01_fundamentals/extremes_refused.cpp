@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <harness/case.hpp>
+#include <harness/starts.hpp>
 #include <particulate/kinematics/breathing.hpp>
 #include <particulate/kinematics/energy.hpp>
 #include <particulate/kinematics/similarity.hpp>
@@ -14,7 +15,6 @@
 #include <particulate/schemes/verlet.hpp>
 
 #include "references.hpp"
-#include "starts.hpp"
 
 namespace verification::extremes_refused {
 

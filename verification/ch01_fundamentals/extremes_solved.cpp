@@ -5,13 +5,13 @@
 
 #include <fmt/format.h>
 
+#include <harness/breathing.hpp>
 #include <harness/case.hpp>
 #include <particulate/kinematics/energy.hpp>
 #include <particulate/kinematics/momentum.hpp>
 #include <particulate/schemes/runge_kutta.hpp>
 #include <particulate/schemes/verlet.hpp>
 
-#include "breathing.hpp"
 #include "quadrature.hpp"
 #include "references.hpp"
 

@@ -3,9 +3,8 @@
 #include <fmt/format.h>
 
 #include <harness/case.hpp>
+#include <harness/starts.hpp>
 #include <particulate/kinematics/energy.hpp>
-
-#include "starts.hpp"
 
 namespace verification::kinetic_energy_split {
 

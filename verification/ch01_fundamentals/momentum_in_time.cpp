@@ -4,12 +4,11 @@
 #include <vector>
 
 #include <harness/case.hpp>
+#include <harness/motions.hpp>
+#include <harness/starts.hpp>
 #include <particulate/kinematics/momentum.hpp>
 #include <particulate/schemes/runge_kutta.hpp>
 #include <particulate/schemes/verlet.hpp>
-
-#include "motions.hpp"
-#include "starts.hpp"
 
 namespace verification::momentum_in_time {
 

@@ -8,9 +8,8 @@
 #include <fmt/format.h>
 
 #include <harness/case.hpp>
-
-#include "motions.hpp"
-#include "starts.hpp"
+#include <harness/motions.hpp>
+#include <harness/starts.hpp>
 
 namespace verification::near_field_pairs {
 

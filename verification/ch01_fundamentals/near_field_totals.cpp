@@ -3,10 +3,9 @@
 #include <fmt/format.h>
 
 #include <harness/case.hpp>
+#include <harness/motions.hpp>
+#include <harness/starts.hpp>
 #include <particulate/kinematics/momentum.hpp>
-
-#include "motions.hpp"
-#include "starts.hpp"
 
 namespace verification::near_field_totals {
 

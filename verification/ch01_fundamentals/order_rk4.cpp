@@ -1,9 +1,8 @@
 // The ruler has the order that its marks are spaced by.
 
 #include <harness/case.hpp>
+#include <harness/scheme_order.hpp>
 #include <particulate/schemes/runge_kutta.hpp>
-
-#include "scheme_order.hpp"
 
 namespace verification::order_rk4 {
 

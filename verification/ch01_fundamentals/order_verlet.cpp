@@ -1,9 +1,8 @@
 // Velocity Verlet has order 2.
 
 #include <harness/case.hpp>
+#include <harness/scheme_order.hpp>
 #include <particulate/schemes/verlet.hpp>
-
-#include "scheme_order.hpp"
 
 namespace verification::order_verlet {
 

@@ -1,8 +1,7 @@
 #pragma once
 
+#include <harness/motions.hpp>
 #include <particulate/reference/integrator.hpp>
-
-#include "motions.hpp"
 
 /// @file
 /// The reference integrators with the tolerances that this chapter's cases use.

@@ -5,13 +5,13 @@
 #include <vector>
 
 #include <harness/case.hpp>
+#include <harness/motions.hpp>
+#include <harness/starts.hpp>
 #include <particulate/schemes/runge_kutta.hpp>
 #include <particulate/schemes/verlet.hpp>
 
-#include "motions.hpp"
 #include "quadrature.hpp"
 #include "references.hpp"
-#include "starts.hpp"
 
 namespace verification::released_pair {
 

@@ -5,13 +5,13 @@
 #include <stdexcept>
 #include <vector>
 
+#include <harness/motions.hpp>
+#include <harness/starts.hpp>
 #include <particulate/kinematics/energy.hpp>
 #include <particulate/kinematics/momentum.hpp>
 #include <particulate/schemes/runge_kutta.hpp>
 
 #include "fixed_centre.hpp"
-#include "motions.hpp"
-#include "starts.hpp"
 
 /// @file
 /// A fine motion with its forces, of which the sums over work and impulse take every second, fourth, ... moment.

@@ -7,12 +7,12 @@
 #include <fmt/format.h>
 
 #include <harness/case.hpp>
+#include <harness/motions.hpp>
+#include <harness/starts.hpp>
 #include <particulate/schemes/runge_kutta.hpp>
 #include <particulate/schemes/verlet.hpp>
 
-#include "motions.hpp"
 #include "references.hpp"
-#include "starts.hpp"
 
 namespace verification::schemes_against_sundials {
 

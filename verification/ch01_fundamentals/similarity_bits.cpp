@@ -7,12 +7,11 @@
 #include <fmt/format.h>
 
 #include <harness/case.hpp>
+#include <harness/motions.hpp>
+#include <harness/starts.hpp>
 #include <particulate/kinematics/similarity.hpp>
 #include <particulate/schemes/runge_kutta.hpp>
 #include <particulate/schemes/verlet.hpp>
-
-#include "motions.hpp"
-#include "starts.hpp"
 
 namespace verification::similarity_bits {
 

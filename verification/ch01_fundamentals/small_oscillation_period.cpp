@@ -4,11 +4,10 @@
 #include <vector>
 
 #include <harness/case.hpp>
+#include <harness/motions.hpp>
+#include <harness/starts.hpp>
 #include <particulate/kinematics/central_force.hpp>
 #include <particulate/schemes/runge_kutta.hpp>
-
-#include "motions.hpp"
-#include "starts.hpp"
 
 namespace verification::small_oscillation_period {
 

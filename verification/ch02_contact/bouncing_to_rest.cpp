@@ -1,7 +1,5 @@
 // A ball bounces to rest: infinitely many impacts in a finite time, by CVODE with root finding and by stepped contact.
 
-#include "bouncing.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -10,12 +8,12 @@
 
 #include <fmt/format.h>
 
+#include <harness/bouncing.hpp>
 #include <harness/case.hpp>
+#include <harness/impacts_by_events.hpp>
 #include <particulate/schemes/fixed_step.hpp>
 #include <particulate/schemes/integrate.hpp>
 #include <particulate/schemes/verlet.hpp>
-
-#include "impacts_by_events.hpp"
 
 namespace verification::bouncing_to_rest {
 

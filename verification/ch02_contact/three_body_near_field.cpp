@@ -9,13 +9,12 @@
 #include <fmt/format.h>
 
 #include <harness/case.hpp>
+#include <harness/three_body.hpp>
 #include <particulate/kinematics/energy.hpp>
 #include <particulate/schemes/fixed_step.hpp>
 #include <particulate/schemes/integrate.hpp>
 #include <particulate/schemes/runge_kutta.hpp>
 #include <particulate/schemes/verlet.hpp>
-
-#include "three_body.hpp"
 
 namespace verification::three_body_near_field {
 

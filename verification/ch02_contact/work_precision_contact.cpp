@@ -8,15 +8,14 @@
 #include <utility>
 #include <vector>
 
+#include <harness/bouncing.hpp>
 #include <harness/case.hpp>
+#include <harness/impacts_by_events.hpp>
 #include <harness/races.hpp>
+#include <harness/three_body.hpp>
 #include <particulate/reference/integrator.hpp>
 #include <particulate/schemes/runge_kutta.hpp>
 #include <particulate/schemes/verlet.hpp>
-
-#include "bouncing.hpp"
-#include "impacts_by_events.hpp"
-#include "three_body.hpp"
 
 namespace verification::work_precision_contact {
 

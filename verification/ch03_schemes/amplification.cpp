@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include <ch01_fundamentals/motions.hpp>
 #include <harness/case.hpp>
+#include <harness/motions.hpp>
 #include <particulate/schemes/euler.hpp>
 #include <particulate/schemes/phi_family.hpp>
 #include <particulate/schemes/runge_kutta.hpp>

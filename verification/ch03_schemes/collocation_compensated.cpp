@@ -3,8 +3,8 @@
 #include <cmath>
 #include <string>
 
-#include <ch01_fundamentals/motions.hpp>
 #include <harness/case.hpp>
+#include <harness/motions.hpp>
 #include <particulate/schemes/collocation.hpp>
 
 #include "linear_problems.hpp"

@@ -9,18 +9,18 @@
 #include <utility>
 #include <vector>
 
-#include <fmt/format.h>
 #include <Eigen/Core>
 #include <boost/math/special_functions/legendre.hpp>
+#include <fmt/format.h>
 
 #include <harness/case.hpp>
+#include <harness/endings.hpp>
 #include <particulate/report/table.hpp>
 #include <particulate/schemes/collocation.hpp>
 #include <particulate/schemes/fixed_step.hpp>
 #include <particulate/schemes/integrate.hpp>
 #include <particulate/schemes/sweeps.hpp>
 
-#include "endings.hpp"
 #include "linear_problems.hpp"
 #include "pade.hpp"
 

@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
-#include <ch01_fundamentals/breathing.hpp>
-#include <ch01_fundamentals/turning_pair.hpp>
+#include <harness/breathing.hpp>
 #include <harness/case.hpp>
+#include <harness/turning_pair.hpp>
 #include <particulate/schemes/collocation.hpp>
 #include <particulate/schemes/error_control.hpp>
 

@@ -3,7 +3,7 @@
 #include <functional>
 #include <vector>
 
-#include <ch01_fundamentals/motions.hpp>
+#include <harness/motions.hpp>
 #include <harness/rows.hpp>
 #include <particulate/schemes/collocation.hpp>
 

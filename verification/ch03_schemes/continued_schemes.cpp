@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
-#include <ch01_fundamentals/motions.hpp>
-#include <ch01_fundamentals/starts.hpp>
 #include <harness/case.hpp>
+#include <harness/motions.hpp>
+#include <harness/starts.hpp>
 #include <particulate/schemes/collocation.hpp>
 #include <particulate/schemes/coupled_pair.hpp>
 #include <particulate/schemes/error_control.hpp>

@@ -5,14 +5,14 @@
 
 #include <fmt/format.h>
 
-#include <ch01_fundamentals/motions.hpp>
-#include <ch01_fundamentals/starts.hpp>
 #include <harness/case.hpp>
+#include <harness/endings.hpp>
+#include <harness/motions.hpp>
+#include <harness/starts.hpp>
 #include <particulate/schemes/phi_control.hpp>
 #include <particulate/schemes/phi_family.hpp>
 #include <particulate/schemes/verlet.hpp>
 
-#include "endings.hpp"
 #include "linear_problems.hpp"
 
 namespace verification::contraction_limit {

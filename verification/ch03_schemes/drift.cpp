@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
-#include <ch01_fundamentals/motions.hpp>
-#include <ch01_fundamentals/starts.hpp>
 #include <harness/case.hpp>
+#include <harness/motions.hpp>
+#include <harness/starts.hpp>
 #include <particulate/kinematics/breathing.hpp>
 #include <particulate/reference/integrator.hpp>
 #include <particulate/report/table.hpp>

@@ -9,13 +9,13 @@
 #include <fmt/format.h>
 
 #include <harness/case.hpp>
+#include <harness/endings.hpp>
 #include <particulate/reference/integrator.hpp>
 #include <particulate/schemes/collocation.hpp>
 #include <particulate/schemes/events.hpp>
 #include <particulate/schemes/fixed_step.hpp>
 #include <particulate/schemes/integrate.hpp>
 
-#include "endings.hpp"
 #include "linear_problems.hpp"
 
 namespace verification::event_location {

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include <ch01_fundamentals/breathing.hpp>
+#include <harness/breathing.hpp>
 #include <harness/case.hpp>
 #include <particulate/schemes/phi_control.hpp>
 #include <particulate/schemes/phi_family.hpp>

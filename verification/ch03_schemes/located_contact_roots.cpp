@@ -7,12 +7,12 @@
 #include <utility>
 #include <vector>
 
-#include <fmt/format.h>
 #include <boost/random/mersenne_twister.hpp>
 #include <boost/random/uniform_real_distribution.hpp>
+#include <fmt/format.h>
 
-#include <ch02_contact/three_body.hpp>
 #include <harness/case.hpp>
+#include <harness/three_body.hpp>
 #include <particulate/contact/located_contact.hpp>
 #include <particulate/schemes/collocation.hpp>
 #include <particulate/schemes/error_control.hpp>

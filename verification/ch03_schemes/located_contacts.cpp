@@ -6,9 +6,10 @@
 
 #include <fmt/format.h>
 
-#include <ch01_fundamentals/starts.hpp>
-#include <ch02_contact/bouncing.hpp>
+#include <harness/bouncing.hpp>
 #include <harness/case.hpp>
+#include <harness/endings.hpp>
+#include <harness/starts.hpp>
 #include <particulate/contact/located_contact.hpp>
 #include <particulate/kinematics/breathing.hpp>
 #include <particulate/laws/near_field.hpp>
@@ -17,7 +18,6 @@
 #include <particulate/schemes/integrate.hpp>
 
 #include "bits.hpp"
-#include "endings.hpp"
 #include "linear_problems.hpp"
 
 namespace verification::located_contacts {

@@ -4,15 +4,15 @@
 #include <cmath>
 #include <string>
 
-#include <fmt/format.h>
 #include <Eigen/SparseCore>
+#include <fmt/format.h>
 
-#include <ch01_fundamentals/motions.hpp>
 #include <harness/case.hpp>
+#include <harness/endings.hpp>
 #include <harness/linear_algebra.hpp>
+#include <harness/motions.hpp>
 #include <particulate/schemes/collocation.hpp>
 
-#include "endings.hpp"
 #include "linear_problems.hpp"
 #include "pade.hpp"
 

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include <ch01_fundamentals/starts.hpp>
 #include <harness/case.hpp>
+#include <harness/starts.hpp>
 
 #include "collocation_orders.hpp"
 

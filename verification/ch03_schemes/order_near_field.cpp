@@ -1,7 +1,7 @@
 // Orders of the monograph's schemes on a near field. RK4 and velocity Verlet have theirs in chapter 1.
 
-#include <ch01_fundamentals/scheme_order.hpp>
 #include <harness/case.hpp>
+#include <harness/scheme_order.hpp>
 #include <particulate/schemes/euler.hpp>
 #include <particulate/schemes/phi_family.hpp>
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include <ch01_fundamentals/motions.hpp>
 #include <harness/case.hpp>
+#include <harness/motions.hpp>
 #include <particulate/schemes/coupled_pair.hpp>
 #include <particulate/schemes/euler.hpp>
 #include <particulate/schemes/phi_family.hpp>

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <harness/case.hpp>
+#include <harness/endings.hpp>
 #include <particulate/schemes/coupled_pair.hpp>
 #include <particulate/schemes/fixed_step.hpp>
 #include <particulate/schemes/integrate.hpp>
@@ -15,7 +16,6 @@
 #include <particulate/schemes/staggering.hpp>
 #include <particulate/schemes/sweeps.hpp>
 
-#include "endings.hpp"
 #include "linear_problems.hpp"
 
 namespace verification::staggering_contraction {

@@ -9,8 +9,8 @@
 
 #include <fmt/format.h>
 
-#include <ch01_fundamentals/motions.hpp>
 #include <harness/case.hpp>
+#include <harness/motions.hpp>
 #include <particulate/schemes/coupled_pair.hpp>
 #include <particulate/schemes/phi_control.hpp>
 #include <particulate/schemes/staggering.hpp>

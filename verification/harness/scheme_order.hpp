@@ -3,9 +3,8 @@
 #include <string>
 #include <vector>
 
+#include <harness/breathing.hpp>
 #include <harness/rows.hpp>
-
-#include "breathing.hpp"
 
 /// @file
 /// Order of a scheme on the breathing pair.

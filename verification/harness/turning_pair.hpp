@@ -4,7 +4,7 @@
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 
-#include "breathing.hpp"
+#include <harness/breathing.hpp>
 
 /// @file
 /// A breathing pair that also turns, of masses 1 and 3: its angular momentum stiffens the repulsion.

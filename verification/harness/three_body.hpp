@@ -3,14 +3,13 @@
 #include <array>
 #include <vector>
 
+#include <harness/impacts_by_events.hpp>
 #include <particulate/contact/contact.hpp>
 #include <particulate/contact/impact.hpp>
 #include <particulate/kinematics/domain.hpp>
 #include <particulate/laws/near_field.hpp>
 #include <particulate/reference/integrator.hpp>
 #include <particulate/scenes/scene.hpp>
-
-#include "impacts_by_events.hpp"
 
 /// @file
 /// Three bodies that attract one another until they collide.

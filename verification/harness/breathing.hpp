@@ -6,12 +6,10 @@
 
 #include <fmt/format.h>
 
+#include <harness/motions.hpp>
 #include <harness/rows.hpp>
-
+#include <harness/starts.hpp>
 #include <particulate/kinematics/breathing.hpp>
-
-#include "motions.hpp"
-#include "starts.hpp"
 
 /// @file
 /// Bodies that move to and fro along fixed directions, compared with their closed form.
