@@ -1,7 +1,8 @@
 #pragma once
 
-#include <harness/motions.hpp>
 #include <particulate/reference/integrator.hpp>
+
+#include <harness/motions.hpp>
 
 /// @file
 /// The reference integrators with the tolerances that this chapter's cases use.

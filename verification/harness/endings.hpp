@@ -1,5 +1,7 @@
 #pragma once
 
+#include <limits>
+
 #include <harness/rows.hpp>
 #include <particulate/schemes/scheme.hpp>
 
@@ -7,6 +9,9 @@
 /// How runs end that should not get to their end.
 
 namespace verification {
+
+inline constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();  ///< what nobody can mean
+inline constexpr double infinite = std::numeric_limits<double>::infinity();       ///< what hardly anybody can mean
 
 /// What ends an attempt that should not have got so far.
 inline Ending accepted() { return Ending::solved({.error = 0.0, .tolerance = 0.0, .because = "it was accepted"}); }

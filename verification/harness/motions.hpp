@@ -16,12 +16,28 @@ inline void require_reached(const particulate::schemes::Outcome& outcome) {
   if (outcome.status != particulate::schemes::Status::reached) throw std::runtime_error(outcome.reason);
 }
 
-/// Moves a state to t_end in equal steps of a scheme.
-template <class S, class P>
-void advance(P& problem, particulate::schemes::State& state, double t_end, long steps) {
-  S scheme;
-  particulate::schemes::FixedStep control{.step = (t_end - state.t) / static_cast<double>(steps)};
+/// Moves a state to t_end by a scheme under a control, both of which are copied. @return what it took
+template <class S, class C>
+particulate::schemes::Outcome reached(const particulate::schemes::Problem& problem, particulate::schemes::State& state,
+                                      double t_end, S scheme, C control) {
+  const particulate::schemes::Outcome outcome = integrate(problem, state, t_end, scheme, control);
+  require_reached(outcome);
+  return outcome;
+}
+
+/// The same where nobody asks what it took.
+template <class S, class C>
+void reach(const particulate::schemes::Problem& problem, particulate::schemes::State& state, double t_end, S scheme,
+           C control) {
   require_reached(integrate(problem, state, t_end, scheme, control));
+}
+
+/// Moves a state to t_end in equal steps of a scheme.
+template <class S>
+void advance(const particulate::schemes::Problem& problem, particulate::schemes::State& state, double t_end,
+             long steps) {
+  const double step = (t_end - state.t) / static_cast<double>(steps);
+  reach(problem, state, t_end, S(), particulate::schemes::FixedStep{.step = step});
 }
 
 /// The states of a run at equal steps, the start and the end included.
