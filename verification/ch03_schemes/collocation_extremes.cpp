@@ -4,8 +4,8 @@
 #include <complex>
 #include <string>
 
-#include <Eigen/Core>
 #include <fmt/format.h>
+#include <Eigen/Core>
 
 #include <harness/case.hpp>
 #include <harness/endings.hpp>
