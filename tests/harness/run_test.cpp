@@ -129,6 +129,7 @@ BOOST_AUTO_TEST_SUITE(bad_cases)
 const std::vector<std::pair<std::string, std::string>> defects{
     {"beyond_tolerance", "error     2.220446049250313e-16 (relative)\n  tolerance 1e-16\n  because   b"},
     {"one_of_two", "2 rows, 1 failed"},
+    {"some_of_none", "1 rows, 1 failed"},
     {"computed_nan", "every number must be finite, got nan"},
     {"expected_nan", "every number must be finite, got nan"},
     {"tolerance_nan", "1 rows, 1 failed"},

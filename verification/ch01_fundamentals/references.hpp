@@ -2,7 +2,7 @@
 
 #include <particulate/reference/integrator.hpp>
 
-#include "motions.hpp"
+#include <harness/motions.hpp>
 
 /// @file
 /// The reference integrators with the tolerances that this chapter's cases use.

@@ -53,19 +53,19 @@ Claim claim_of(const std::string& problem, const std::string& bodies) {
           .reference = Reference::closed_form};
 }
 
-const Case soft{claim_of("breathing_pair_soft", "a breathing pair, alpha2 = 0.5"), [](Rows& rows) {
-                  measure_pair(rows, "breathing_pair_soft", 0.5, {2, 2.0, 7});
-                }};
-const Case stiff{claim_of("breathing_pair_stiff", "a breathing pair, alpha2 = 0.1"), [](Rows& rows) {
-                   measure_pair(rows, "breathing_pair_stiff", 0.1, {64, 2.0, 5});
-                 }};
+void prove_soft(Rows& rows) { measure_pair(rows, "breathing_pair_soft", 0.5, {2, 2.0, 7}); }
+
+const Case soft{claim_of("breathing_pair_soft", "a breathing pair, alpha2 = 0.5"), prove_soft};
+void prove_stiff(Rows& rows) { measure_pair(rows, "breathing_pair_stiff", 0.1, {64, 2.0, 5}); }
+
+const Case stiff{claim_of("breathing_pair_stiff", "a breathing pair, alpha2 = 0.1"), prove_stiff};
 const Case stiffest{claim_of("breathing_pair_stiffest", "a breathing pair, alpha2 = 0.01"), [](Rows& rows) {
                       const Steps steps{rows.quick() ? 2900 : 4096, std::numbers::sqrt2, 4};
                       measure_pair(rows, "breathing_pair_stiffest", 0.01, steps, rows.quick() ? 2 : 4);
                     }};
-const Case pentagon{claim_of("pentagon", "five bodies that breathe, alpha2 = 0.5"), [](Rows& rows) {
-                      measure(rows, "pentagon", pentagon_race(), {2, 2.0, 7});
-                    }};
+void prove_pentagon(Rows& rows) { measure(rows, "pentagon", pentagon_race(), {2, 2.0, 7}); }
+
+const Case pentagon{claim_of("pentagon", "five bodies that breathe, alpha2 = 0.5"), prove_pentagon};
 
 // RK4 that moves by 1.001 steps and calls it one: the smallest kind of defect that a diagram must show.
 struct TooLongSteps : schemes::RungeKutta4 {
@@ -76,27 +76,28 @@ struct TooLongSteps : schemes::RungeKutta4 {
   }
 };
 
-const Case defect{
-    {.name = "work_precision_shows_a_defect",
-     .claim = "a step that is 0.1 % too long moves the curve of RK4 by orders of magnitude",
-     .equation = "D 1.4.1",
-     .reference = Reference::closed_form},
-    [](Rows& rows) {
-      const Race race = breathing_pair_race(0.5);
-      const std::vector<double> sizes = step_sizes(race.outputs.front(), {2, 2.0, 6});
-      rows.work_precision(
-          {.problem = "planted_defect",
-           .reference = "closed form in extended precision, rounded",
-           .floor = rounding_floor,
-           .competitors = {
-               with_slope(4.0, competitor("RK4", race, sizes, at_fixed_step<schemes::RungeKutta4>()), symmetric_turn),
-               competitor("RK4, steps 0.1 % too long", race, sizes, at_fixed_step<TooLongSteps>())}});
-      const double right = rows.points()[sizes.size() - 1].errors->end;
-      const double wrong = rows.points()[2 * sizes.size() - 1].errors->end;
-      rows.at_least("error with the defect over the error without, smallest step",
-                    {.limit = 1e4,
-                     .computed = wrong / right,
-                     .because = "0.1 % of a period against an error of 1e-9: five decades and more"});
-    }};
+void prove_defect(Rows& rows) {
+  const Race race = breathing_pair_race(0.5);
+  const std::vector<double> sizes = step_sizes(race.outputs.front(), {2, 2.0, 6});
+  rows.work_precision(
+      {.problem = "planted_defect",
+       .reference = "closed form in extended precision, rounded",
+       .floor = rounding_floor,
+       .competitors = {
+           with_slope(4.0, competitor("RK4", race, sizes, at_fixed_step<schemes::RungeKutta4>()), symmetric_turn),
+           competitor("RK4, steps 0.1 % too long", race, sizes, at_fixed_step<TooLongSteps>())}});
+  const double right = rows.points()[sizes.size() - 1].errors->end;
+  const double wrong = rows.points()[2 * sizes.size() - 1].errors->end;
+  rows.at_least("error with the defect over the error without, smallest step",
+                {.limit = 1e4,
+                 .computed = wrong / right,
+                 .because = "0.1 % of a period against an error of 1e-9: five decades and more"});
+}
+
+const Case defect{{.name = "work_precision_shows_a_defect",
+                   .claim = "a step that is 0.1 % too long moves the curve of RK4 by orders of magnitude",
+                   .equation = "D 1.4.1",
+                   .reference = Reference::closed_form},
+                  prove_defect};
 
 }  // namespace verification::work_precision_breathing

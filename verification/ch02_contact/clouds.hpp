@@ -1,5 +1,6 @@
 #pragma once
 
+#include <harness/motions.hpp>
 #include <particulate/laws/near_field.hpp>
 #include <particulate/schemes/fixed_step.hpp>
 #include <particulate/schemes/integrate.hpp>
@@ -59,13 +60,8 @@ particulate::schemes::Outcome march(P& problem, particulate::schemes::State& sta
   S scheme;
   particulate::schemes::FixedStep control{.step = (t_end - state.t) / static_cast<double>(steps)};
   const particulate::schemes::Outcome outcome = integrate(problem, state, t_end, scheme, control, observer);
-  if (outcome.status != particulate::schemes::Status::reached) throw std::runtime_error(outcome.reason);
+  require_reached(outcome);
   return outcome;
-}
-
-/// Three numbers a particle as rows.
-inline Eigen::Map<const particulate::kinematics::Vectors> as_rows(const Eigen::VectorXd& flat) {
-  return {flat.data(), flat.size() / 3, 3};
 }
 
 /// The near field of the clouds.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <harness/case.hpp>
+#include <harness/motions.hpp>
 #include <particulate/schemes/fixed_step.hpp>
 #include <particulate/schemes/integrate.hpp>
 #include <particulate/schemes/verlet.hpp>
@@ -93,10 +94,8 @@ InTime in_time(double e, contact::Resolution resolution) {
   row.position(0, 0) = -0.05;
   auto scene = contact_scene(row, smooth(e, resolution));
   schemes::State state = scenes::start(scene);
-  schemes::VelocityVerlet scheme;
-  schemes::FixedStep control{.step = 1e-3};
-  const schemes::Outcome outcome = integrate(scene, state, 1.0, scheme, control);
-  if (outcome.status != schemes::Status::reached) throw std::runtime_error(outcome.reason);
+  const schemes::Outcome outcome =
+      reached(scene, state, 1.0, schemes::VelocityVerlet(), schemes::FixedStep{.step = 1e-3});
   return {.v = state.v.head(5), .energy_change = outcome.energy_change};
 }
 

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 #include <stdexcept>
+#include <utility>
 
 #include <Eigen/Geometry>
 #include <boost/random/mersenne_twister.hpp>
@@ -217,5 +218,25 @@ inline particulate::contact::Contact<> smooth(
     double e, particulate::contact::Resolution resolution = particulate::contact::Resolution::sequential) {
   return {.restitution = {e}, .friction = {}, .gamma = 0.01, .resolution = resolution};
 }
+
+/// Velocities of both bodies.
+using Velocities = std::array<Eigen::Vector3d, 2>;
+
+/// @return those after an impact by itself
+inline Velocities by_impact(const Encounter& at) {
+  const particulate::contact::Rebound after = library_impact(at);
+  return {after.velocity_i, after.velocity_j};
+}
+
+/// @return those after a jump of a scene in which the pair touches
+template <class L>
+Velocities by_scene(const Encounter& at, const L& law) {
+  const Jumped after = jump_of(contact_scene(touching_pair(at), law), 1e-3);
+  return {after.v.row(0).transpose(), after.v.row(1).transpose()};
+}
+
+/// How impacts of one moment are resolved, by name.
+inline constexpr std::pair<particulate::contact::Resolution, const char*> resolutions[] = {
+    {particulate::contact::Resolution::summed, "summed"}, {particulate::contact::Resolution::sequential, "sequential"}};
 
 }  // namespace verification

@@ -3,20 +3,19 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include <harness/bouncing.hpp>
 #include <harness/case.hpp>
+#include <harness/impacts_by_events.hpp>
+#include <harness/motions.hpp>
 #include <harness/races.hpp>
+#include <harness/three_body.hpp>
 #include <particulate/reference/integrator.hpp>
 #include <particulate/schemes/runge_kutta.hpp>
 #include <particulate/schemes/verlet.hpp>
-
-#include "bouncing.hpp"
-#include "impacts_by_events.hpp"
-#include "three_body.hpp"
 
 namespace verification::work_precision_contact {
 
@@ -87,7 +86,7 @@ schemes::State flown(ThreeBodyScene& scene, schemes::State state, double t_end) 
   const reference::ExplicitRungeKutta fehlberg{
       .table = reference::Table::fehlberg_13_7_8, .relative = 1e-14, .absolute = 1e-15};
   const schemes::Outcome out = reference::integrate(scene, state, t_end, fehlberg);
-  if (out.status != schemes::Status::reached) throw std::runtime_error(out.reason);
+  require_reached(out);
   return state;
 }
 
@@ -126,7 +125,7 @@ const Case three_bodies{
       for (const double t : race.outputs) {
         schemes::State by_cvode = scenes::start(scene);
         const schemes::Outcome out = three_bodies_by_roots(scene, by_cvode, t, 1e-14);
-        if (out.status != schemes::Status::reached) throw std::runtime_error(out.reason);
+        require_reached(out);
         exact.push_back(by_bisection(scene, scenes::start(scene), t));
         disagreement = std::max({disagreement, (exact.back().r - by_cvode.r).lpNorm<Eigen::Infinity>(),
                                  (exact.back().v - by_cvode.v).lpNorm<Eigen::Infinity>()});

@@ -7,15 +7,15 @@
 #include <fmt/format.h>
 #include <Eigen/Core>
 
-#include <ch01_fundamentals/motions.hpp>
-#include <ch01_fundamentals/starts.hpp>
 #include <harness/case.hpp>
+#include <harness/endings.hpp>
 #include <harness/linear_algebra.hpp>
+#include <harness/motions.hpp>
+#include <harness/starts.hpp>
 #include <particulate/schemes/collocation.hpp>
 #include <particulate/schemes/error_control.hpp>
 
 #include "classical_problems.hpp"
-#include "endings.hpp"
 #include "linear_problems.hpp"
 
 namespace verification::collocation_extremes {

@@ -1,4 +1,4 @@
-// Energy and angular momentum of a breathing polygon over many steps, by methods that cost the same.
+// What many steps add up to: rounding, energy and angular momentum.
 
 #include <cmath>
 #include <string>
@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
-#include <ch01_fundamentals/motions.hpp>
-#include <ch01_fundamentals/starts.hpp>
 #include <harness/case.hpp>
+#include <harness/motions.hpp>
+#include <harness/starts.hpp>
 #include <particulate/kinematics/breathing.hpp>
 #include <particulate/reference/integrator.hpp>
 #include <particulate/report/table.hpp>
@@ -20,8 +20,70 @@
 
 namespace verification::drift {
 
-using namespace particulate;
 using namespace particulate::schemes;
+using namespace particulate;
+
+// Compensated summation: what rounding takes from the state in one step is given back in the next.
+
+// y' = (y2, -y1), the oscillator as a problem of first order.
+struct Rotation {
+  bool rate(double, In y, Out dy) const {
+    dy[0] = y[1];
+    dy[1] = -y[0];
+    return true;
+  }
+};
+
+// A power of two, so that the time is exact; so small that roundings of the state outweigh all else, and so short a run
+// that the rounding of the coefficients, a shift in frequency, does not count.
+constexpr double tiny_step = 1.0 / 8192.0, orbits_end = 16.0;
+
+// The largest error of position and velocity of (cos, -sin)(t + phase) at the ends of the last hundred steps.
+double largest_error(const Problem& problem, double phase, bool compensated) {
+  const double r = std::cos(phase), v = -std::sin(phase);
+  State state = problem.traits().motion ? motion(r, v) : State{.t = 0.0, .y = Eigen::Vector2d{r, v}};
+  using Scheme = Collocation<Gauss<4>>;
+  Scheme scheme({.compensated = compensated});
+  double worst = 0.0;
+  const auto watch = [&](const State&, const State& to, double, const Scheme&) {
+    if (to.t < orbits_end - 100.0 * tiny_step) return true;
+    const Eigen::VectorXd at = flat(to);
+    keep_worst(worst, std::hypot(at[0] - std::cos(to.t + phase), at[1] + std::sin(to.t + phase)));
+    return true;
+  };
+  FixedStep control{.step = tiny_step};
+  require_reached(integrate(problem, state, orbits_end, scheme, control, watch));
+  return worst;
+}
+
+// From six phases: how roundings add up is a matter of luck.
+void compare(Rows& rows, const std::string& which, const Problem& problem) {
+  double with = 0.0, without = 0.0;
+  for (const double phase : {0.0, 0.5, 1.0, 1.5, 2.0, 2.5}) {
+    keep_worst(with, largest_error(problem, phase, true));
+    keep_worst(without, largest_error(problem, phase, false));
+  }
+  rows.at_most("largest error after 131072 steps, " + which,
+               {.limit = 16.0 * eps,
+                .computed = with,
+                .because = "t = 16 s with coefficients rounded to half an epsilon, from a start rounded once"});
+  rows.at_least("the same without compensation, over it, " + which,
+                {.limit = 4.0, .computed = without / with, .because = "a rounding of the state a step shows"});
+}
+
+const Case collocation_compensated{
+    {.name = "collocation_compensated",
+     .claim = "with compensated summation a hundred thousand steps of a closed orbit stay at rounding",
+     .equation = "D 3.4",
+     .reference = Reference::closed_form},
+    [](Rows& rows) {
+      const Oscillators spring = oscillator(1.0);
+      const Rotation rotation;
+      compare(rows, "motion", spring);
+      compare(rows, "values", rotation);
+    }};
+
+// Energy and angular momentum of a breathing polygon over many steps, by methods that cost the same.
 
 constexpr double alpha2 = 0.5, step = 0.02;
 constexpr int samples = 40;
@@ -226,8 +288,7 @@ void compare_others(Rows& rows, const std::string& at, const Methods& of) {
   for (std::size_t k = 1; k < of.euler.energy.size(); ++k) {
     rose += static_cast<int>(!(of.euler.energy[k] <= of.euler.energy[k - 1] + 1e-4));
   }
-  rows.equal("moments at which backward Euler has more energy than before" + at,
-             {.expected = 0, .computed = rose, .because = "it damps"});
+  rows.none("moments at which backward Euler has more energy than before" + at, rose, "it damps");
   rows.at_most("energy that backward Euler leaves, relative change" + at,
                {.limit = -0.8,
                 .computed = of.euler.energy.back(),

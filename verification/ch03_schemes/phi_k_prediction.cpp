@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
-#include <ch01_fundamentals/motions.hpp>
 #include <harness/case.hpp>
+#include <harness/motions.hpp>
 #include <particulate/schemes/iteration.hpp>
 #include <particulate/schemes/phi_control.hpp>
 #include <particulate/schemes/phi_family.hpp>

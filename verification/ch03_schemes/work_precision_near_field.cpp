@@ -169,47 +169,49 @@ const Case pentagon{claim_of("pentagon", "five bodies that breathe, alpha2 = 0.5
                       measure(rows, of, {{1.1, 1.5, 1.2, 1.2}, {0, 0, 0, 0}, nine_stops});
                     }};
 
-const Case stiff{
-    claim_of("breathing_pair_stiff", "a breathing pair, alpha2 = 0.1"), [](Rows& rows) {
-      Problem of = breathing(rows, "breathing_pair_stiff", breathing_pair_race(0.1));
-      of.runge_kutta = longer(rows, {{64, 2.0, 5}, 4.0, symmetric_turn});
-      of.verlet = longer(rows, {{256, 2.0, 4}, 2.0});
-      // Backward Euler damps the passage so much that errors of a hundredth would need a million steps.
-      of.backward_euler = longer(rows, {{16, 2.0, 7}});
-      of.trapezoidal = longer(rows, {{64, 1.6, 5}, 2.0});
-      const char* const fixed = "backward Euler, fixed steps";
-      constexpr Steps few{16, 2.0, 4};
-      of.others = {by_kinsol_with_anderson(of, few), backward_euler_with_anderson(of, few),
-                   stepped(fixed, of, {.steps = few}, sweeping_at_fixed_step(BackwardEuler(), sweeps(of, 1)))};
-      of.collocation = {8, 1.45, 6};
-      measure(rows, of, {{1.4, 1.5, 1.6, 1.8}, {0, 0, 0, 0}, nine_stops});
-      const auto& points = rows.points();
-      const auto largest =
-          std::find_if(points.begin(), points.end(), [&](const auto& point) { return point.method == fixed; });
-      rows.equal("backward Euler at the largest fixed step: how it failed",
-                 {.expected = "failed: the sweeps diverge",
-                  .computed = largest->status.substr(0, 26),
-                  .because = "omega Dt = 2.4 where the pair is nearest, 1 is where sweeps begin to diverge"});
-    }};
+void prove_stiff(Rows& rows) {
+  Problem of = breathing(rows, "breathing_pair_stiff", breathing_pair_race(0.1));
+  of.runge_kutta = longer(rows, {{64, 2.0, 5}, 4.0, symmetric_turn});
+  of.verlet = longer(rows, {{256, 2.0, 4}, 2.0});
+  // Backward Euler damps the passage so much that errors of a hundredth would need a million steps.
+  of.backward_euler = longer(rows, {{16, 2.0, 7}});
+  of.trapezoidal = longer(rows, {{64, 1.6, 5}, 2.0});
+  const char* const fixed = "backward Euler, fixed steps";
+  constexpr Steps few{16, 2.0, 4};
+  of.others = {by_kinsol_with_anderson(of, few), backward_euler_with_anderson(of, few),
+               stepped(fixed, of, {.steps = few}, sweeping_at_fixed_step(BackwardEuler(), sweeps(of, 1)))};
+  of.collocation = {8, 1.45, 6};
+  measure(rows, of, {{1.4, 1.5, 1.6, 1.8}, {0, 0, 0, 0}, nine_stops});
+  const auto& points = rows.points();
+  const auto largest =
+      std::find_if(points.begin(), points.end(), [&](const auto& point) { return point.method == fixed; });
+  rows.equal("backward Euler at the largest fixed step: how it failed",
+             {.expected = "failed: the sweeps diverge",
+              .computed = largest->status.substr(0, 26),
+              .because = "omega Dt = 2.4 where the pair is nearest, 1 is where sweeps begin to diverge"});
+}
 
-const Case stars{
-    claim_of("pleiades", "the Pleiades, seven stars that pass close by one another", Reference::sundials),
-    [](Rows& rows) {
-      Problem of{.name = "pleiades",
-                 .judged = judged_race(pleiades(), pleiades_end, 10),
-                 .reference = "ARKODE Fehlberg 8(7) at 1e-15; the floor is its distance from CVODE Adams at 1e-15",
-                 .runge_kutta = longer(rows, {{384, 1.4, 4},
-                                              4.0,
-                                              "a close passage is nearly symmetric in time about its nearest point, "
-                                              "which cancels most of RK4's leading error"}),
-                 .verlet = longer(rows, {{1024, std::numbers::sqrt2, 4}, 2.0}),
-                 .backward_euler = longer(rows, {{256, 2.0, 2}}, 3),
-                 .trapezoidal = longer(rows, {{64, 2.0, 4}}),
-                 .tightest = rows.quick() ? 1e-9 : 1e-14,
-                 .tightest_of_bdf = rows.quick() ? 1e-5 : 1e-8,
-                 .collocation = {.first = 0, .factor = 2.0, .times = 0}};
-      measure(rows, of, {{1.7, 1.6, 0, 0}, {0, 0, 0, 0}, "ten output times, each of which cuts a step short"});
-    }};
+const Case stiff{claim_of("breathing_pair_stiff", "a breathing pair, alpha2 = 0.1"), prove_stiff};
+
+void prove_stars(Rows& rows) {
+  Problem of{.name = "pleiades",
+             .judged = judged_race(pleiades(), pleiades_end, 10),
+             .reference = "ARKODE Fehlberg 8(7) at 1e-15; the floor is its distance from CVODE Adams at 1e-15",
+             .runge_kutta = longer(rows, {{384, 1.4, 4},
+                                          4.0,
+                                          "a close passage is nearly symmetric in time about its nearest point, "
+                                          "which cancels most of RK4's leading error"}),
+             .verlet = longer(rows, {{1024, std::numbers::sqrt2, 4}, 2.0}),
+             .backward_euler = longer(rows, {{256, 2.0, 2}}, 3),
+             .trapezoidal = longer(rows, {{64, 2.0, 4}}),
+             .tightest = rows.quick() ? 1e-9 : 1e-14,
+             .tightest_of_bdf = rows.quick() ? 1e-5 : 1e-8,
+             .collocation = {.first = 0, .factor = 2.0, .times = 0}};
+  measure(rows, of, {{1.7, 1.6, 0, 0}, {0, 0, 0, 0}, "ten output times, each of which cuts a step short"});
+}
+
+const Case stars{claim_of("pleiades", "the Pleiades, seven stars that pass close by one another", Reference::sundials),
+                 prove_stars};
 
 // A cloud to race in. The state is asked for at the end alone, so that every method goes at the steps that it chooses;
 // what outputs cost is seen on the breathing bodies, and on the cloud with five.
@@ -278,29 +280,30 @@ long at_the_largest_limit(const Rows& rows, const std::string& problem, const st
       ->counts.evaluations;
 }
 
+void prove_other_seeds(Rows& rows) {
+  for (std::uint64_t seed = 2; seed <= (rows.quick() ? 2 : 6); ++seed) {
+    const std::string name = fmt::format("near_field_100_seed_{}", seed);
+    Problem of = cloud_of(rows, {.name = name, .seed = seed});
+    of.runge_kutta = {{40, 1.35, 4}, 4.0};
+    of.backward_euler = {{20, 2.0, 2}};
+    std::vector<Competitor> few = parties(of);
+    append(few, {stepped("backward Euler", of, of.backward_euler, under_phi_control(BackwardEuler(), sweeps(of, 1))),
+                 backward_euler_with_anderson(of, of.backward_euler.steps)});
+    measure(rows, of, few, rows.full());
+    compare(rows, of, of_cloud);
+    rows.at_most(name + ": evaluations of backward Euler with Anderson at the largest limit",
+                 {.limit = static_cast<double>(at_the_largest_limit(rows, name, "backward Euler")),
+                  .computed = static_cast<double>(at_the_largest_limit(rows, name, "backward Euler, Anderson")),
+                  .because = "as many as without, or fewer: there the sweeps hardly contract"});
+  }
+}
+
 const Case other_seeds{
     {.name = "work_precision_near_field_100_other_seeds",
      .claim = "what was chosen on one cloud, Anderson's mixing and the collocation methods, saves on others",
      .equation = "R 3.4",
      .reference = Reference::sundials},
-    [](Rows& rows) {
-      for (std::uint64_t seed = 2; seed <= (rows.quick() ? 2 : 6); ++seed) {
-        const std::string name = fmt::format("near_field_100_seed_{}", seed);
-        Problem of = cloud_of(rows, {.name = name, .seed = seed});
-        of.runge_kutta = {{40, 1.35, 4}, 4.0};
-        of.backward_euler = {{20, 2.0, 2}};
-        std::vector<Competitor> few = parties(of);
-        append(few,
-               {stepped("backward Euler", of, of.backward_euler, under_phi_control(BackwardEuler(), sweeps(of, 1))),
-                backward_euler_with_anderson(of, of.backward_euler.steps)});
-        measure(rows, of, few, rows.full());
-        compare(rows, of, of_cloud);
-        rows.at_most(name + ": evaluations of backward Euler with Anderson at the largest limit",
-                     {.limit = static_cast<double>(at_the_largest_limit(rows, name, "backward Euler")),
-                      .computed = static_cast<double>(at_the_largest_limit(rows, name, "backward Euler, Anderson")),
-                      .because = "as many as without, or fewer: there the sweeps hardly contract"});
-      }
-    }};
+    prove_other_seeds};
 
 // A thousand: a quick run takes two hundred. Their evaluations are counted; to time them takes ten minutes. Other seeds
 // come by the program's --seed.
@@ -323,20 +326,21 @@ const Case thousand{
 
 // In the last tenth of a second this cloud has fallen so deep that steps must be a tenth of those at the start: equal
 // steps lose, and their ratios are reported only.
+void prove_deep(Rows& rows) {
+  Problem of = cloud_of(rows, thousand_of(rows, "_deep", 1.4));
+  of.runge_kutta = {{40, 1.35, 4}, 4.0};
+  if (rows.full()) {
+    of.runge_kutta.steps = {600, 1.26, 4};
+    of.collocation = {20, 1.6, 2};
+    of.tightest = 1e-12;
+  }
+  measure_parties(rows, of,
+                  {{1.8, 1.7, 2.1, 2.1}, {0, 0, 0, 0}, "seen 2.3, 1.9, 2.3 and 2.8; kernels round differently"}, false);
+}
+
 const Case deep{
     claim_of("near_field_1000_deep", "a thousand that fall together under a near field", Reference::sundials),
-    [](Rows& rows) {
-      Problem of = cloud_of(rows, thousand_of(rows, "_deep", 1.4));
-      of.runge_kutta = {{40, 1.35, 4}, 4.0};
-      if (rows.full()) {
-        of.runge_kutta.steps = {600, 1.26, 4};
-        of.collocation = {20, 1.6, 2};
-        of.tightest = 1e-12;
-      }
-      measure_parties(rows, of,
-                      {{1.8, 1.7, 2.1, 2.1}, {0, 0, 0, 0}, "seen 2.3, 1.9, 2.3 and 2.8; kernels round differently"},
-                      false);
-    }};
+    prove_deep};
 
 const Case outputs{{.name = "work_precision_near_field_100_outputs",
                     .claim = "five output times cost collocation, whose steps they cut short, more than Adams methods",

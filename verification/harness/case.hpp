@@ -33,7 +33,7 @@ struct Claim {
   Reference reference = Reference::closed_form;  ///< where the expected values come from
 };
 
-/// A claim and the function that proves it. Registers itself, so a case is one constant in a file of its own.
+/// A claim and the function that proves it. Registers itself: a case is one constant, in the file of its theme.
 class Case {
  public:
   /// @param claim  name, sentence, equation, reference
@@ -45,7 +45,7 @@ class Case {
 
   /// @return name, sentence, equation, reference
   const Claim& claim() const { return claim_; }
-  /// @return folder and file of the case: `ch03_schemes/amplification.cpp`
+  /// @return folder and file of the case: `ch03_schemes/contraction.cpp`
   const std::string& source() const { return source_; }
   /// Runs the proof. @param rows where it writes to
   void prove(Rows& rows) const { proof_(rows); }

@@ -59,6 +59,11 @@ class Rows {
   void at_least(const std::string& quantity, const Bound& bound);
   /// A count or a text. @param quantity what it is @param equality expected, computed, reason
   void equal(const std::string& quantity, const Equality& equality);
+  /// A count that must be 0. @param quantity what it counts @param count of the library @param because why there is
+  /// none
+  void none(const std::string& quantity, const Exactly& count, const std::string& because) {
+    equal(quantity, {.expected = 0, .computed = count, .because = because});
+  }
   /// An order of accuracy, two-sided: |fitted - nominal| <= 0.2.
   /// @param quantity     what converges
   /// @param convergence  nominal order, steps, errors, floor, reason

@@ -27,6 +27,7 @@ const Case one_of_two = one("one_of_two", [](Rows& rows) {
   rows.equal("good", {.expected = 1, .computed = 1, .because = "b"});
   rows.equal("bad", {.expected = 1, .computed = 2, .because = "b"});
 });
+const Case some_of_none = one("some_of_none", [](Rows& rows) { rows.none("x", 1, "b"); });
 const Case computed_nan = one("computed_nan", [](Rows& rows) {
   rows.compare("x", {.expected = 1.0, .computed = nan_, .tolerance = relative(1.0), .because = "b"});
 });
