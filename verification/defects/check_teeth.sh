@@ -62,7 +62,7 @@ spoilt "a line must begin with" '2s/kind/sort/'
 spoilt "must name the defects of" ''
 ends 1 "--only must name a defect" --defects defects.txt --only nosuch
 ends 2 "there is no option" --nosuch
-ends 1 "in a header" --built "$build" --only verlet_kick_without_half "$work/run"
+ends 1 "in a header" --built "$build" --only reaction_points_along "$work/run"
 
 # --- Results ---------------------------------------------------------------------------------------------------------
 ends 1 'caught by nothing: harmless' --defects defects.txt --built "$build" --record "$work/run"
