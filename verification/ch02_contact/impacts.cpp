@@ -318,4 +318,66 @@ const Case random_impacts{
               worst_seen(far, rows.case_seed(), count / 10, in_a_scene));
     }};
 
+// What was recorded against what happened, in clusters with friction: impulses against the changes of m v, their work
+// against the change of kinetic energy.
+struct Recorded {
+  double momentum = 0.0, energy = 0.0;  // over sum m (|v| + |v'|), and over the kinetic energies before and after
+  long impacts = 0, records = 0;
+  double shares = 0.0;  // of the energy that is taken, summed over clusters
+};
+
+Recorded recorded(std::uint64_t seed, int count, contact::Resolution how) {
+  Encounters drawn({}, seed);
+  Recorded worst;
+  for (int k = 0; k < count; ++k) {
+    const kinematics::Particles all = cluster(drawn, 2 + k % 7, 0.0);
+    kinematics::Vectors P = kinematics::Vectors::Zero(all.size(), 3);
+    double work = 0.0;
+    auto law = rough(drawn.positive(), {.mu_s = 0.5, .mu_d = 0.3}, how);
+    law.recorder = [&](const contact::ImpactRecord& impact) {
+      const Eigen::Vector3d on_i = impact.tangential - impact.push * impact.n;
+      P.row(impact.i) += on_i.transpose();
+      P.row(impact.j) -= on_i.transpose();
+      work += on_i.dot(0.5 * (impact.before + impact.after));
+      ++worst.records;
+    };
+    const Jumped after = jump_of(contact_scene(all, law), 1e-3);
+    worst.impacts += after.jump.impacts;
+    const kinematics::Vectors changed = all.mass.asDiagonal() * (after.v - all.velocity);
+    const Eigen::VectorXd size = all.mass.cwiseProduct(after.v.rowwise().norm() + all.velocity.rowwise().norm());
+    const double T = 0.5 * all.mass.dot(all.velocity.rowwise().squaredNorm());
+    keep_worst(worst.momentum, (changed - P).norm() / size.sum());
+    keep_worst(worst.energy, std::abs(after.jump.energy_change - work) / T);
+    worst.shares -= after.jump.energy_change / T;
+  }
+  return worst;
+}
+
+const Case recorded_impacts{
+    {.name = "recorded_impacts",
+     .claim =
+         "what is recorded of every impact is what the bodies felt: the impulses change their momenta, and the work "
+         "of these is the kinetic energy that is lost",
+     .equation = "D 2.2",
+     .reference = Reference::identity},
+    [](Rows& rows) {
+      const int count = rows.quick() ? 500 : 5000;
+      for (const auto& [how, name] : {std::pair{contact::Resolution::summed, "summed"},
+                                      std::pair{contact::Resolution::sequential, "sequential"}}) {
+        const Recorded seen = recorded(rows.case_seed(), count, how);
+        const std::string which = fmt::format(", {}", name);
+        rows.equal("impacts that were recorded" + which,
+                   {.expected = seen.impacts, .computed = seen.records, .because = "each of them, once"});
+        rows.at_least("share of the kinetic energy that they take, on average" + which,
+                      {.limit = 0.05,
+                       .computed = std::abs(seen.shares) / count,
+                       .because = "it must stand clear of rounding to be compared"});
+        const char* const because = "rounded a few times an impact, of which a cluster of eight has some hundred";
+        rows.at_most("|m (v' - v) - sum P| / sum m (|v| + |v'|)" + which,
+                     {.limit = 2e-15, .computed = seen.momentum, .because = because});
+        rows.at_most("|change of kinetic energy - work of the impulses| / kinetic energy" + which,
+                     {.limit = 1e-14, .computed = seen.energy, .because = because});
+      }
+    }};
+
 }  // namespace verification::impacts

@@ -13,7 +13,9 @@
 #include <particulate/reference/integrator.hpp>
 #include <particulate/report/table.hpp>
 #include <particulate/schemes/collocation.hpp>
+#include <particulate/schemes/euler.hpp>
 #include <particulate/schemes/phi_family.hpp>
+#include <particulate/schemes/runge_kutta.hpp>
 #include <particulate/schemes/verlet.hpp>
 
 #include "linear_problems.hpp"
@@ -323,6 +325,42 @@ const Case drift{
                      .computed = std::sqrt(without / with),
                      .because = "what rounding takes from the state is kept and added again"});
       rows.at_least("moments compared", {.limit = 3.0 * samples, .computed = number, .because = "three motions"});
+    }};
+
+// The largest error of the time after k steps of 0.1 s, over k times that, in epsilons.
+template <class S>
+void compare_time(Rows& rows, const std::string& method, S scheme) {
+  constexpr double tenth = 0.1;
+  constexpr long steps = 100000;
+  const Oscillators spring = oscillator(1e-3);
+  State state = motion(1.0, 0.0);
+  FixedStep control{.step = tenth};
+  double worst = 0.0;
+  long k = 0;
+  const auto watch = [&](const State&, const State& to, double, const S&) {
+    const long double exact = static_cast<long double>(++k) * tenth;
+    keep_worst(worst, static_cast<double>(std::abs(to.t - exact) / (eps * exact)));
+    return k < steps;
+  };
+  (void)integrate(spring, state, 1e9, scheme, control, watch);
+  rows.equal("steps of 0.1 s, " + method, {.expected = steps, .computed = k, .because = "as many as were asked for"});
+  rows.at_most("largest error of the time after k of them, over eps k 0.1 s, " + method,
+               {.limit = 1.0,
+                .computed = worst,
+                .because = "half a rounding of the time, and half a rounding of the step k times"});
+}
+
+const Case time_compensated{
+    {.name = "time_compensated",
+     .claim = "the time of any scheme after a hundred thousand steps of a tenth of a second is right to one rounding",
+     .equation = "D 3.4",
+     .reference = Reference::identity},
+    [](Rows& rows) {
+      compare_time(rows, "forward Euler", ForwardEuler{});
+      compare_time(rows, "backward Euler", BackwardEuler{});
+      compare_time(rows, "Verlet", VelocityVerlet{});
+      compare_time(rows, "RK4", RungeKutta4{});
+      compare_time(rows, "Gauss 2", Collocation<Gauss<2>>{});
     }};
 
 }  // namespace verification::drift

@@ -29,7 +29,7 @@ file    kinematics/central_force.cpp
 what    At beta = 1 the potential takes d/d_ref - 1 instead of its logarithm.
 from    const double growth = exponent == 0.0 ? logarithm : std::expm1(exponent * logarithm) / exponent;
 to      const double growth = exponent == 0.0 ? d / d_ref - 1.0 : std::expm1(exponent * logarithm) / exponent;
-cases   ch01_fundamentals/potential_limit
+cases   ch01_fundamentals/central_force
 
 defect  harmless
 kind    none
@@ -37,7 +37,7 @@ file    kinematics/central_force.cpp
 what    Nothing, "only" a sum that stands the other way round.
 from    const double exponent = 1.0 - beta;
 to      const double exponent = -beta + 1.0;
-cases   ch01_fundamentals/potential_limit:potential_limit
+cases   ch01_fundamentals/central_force:potential_limit
 H
 cp defects.txt good.txt
 
@@ -53,8 +53,8 @@ spoilt 'logarithm: its line must stand in lib/particulate/kinematics/central_for
 braces=$(grep -c '^ *}$' "$here/../../lib/particulate/kinematics/central_force.cpp")
 spoilt "exactly once, but does $braces times" '5s/ .*/ }/'
 spoilt 'there must be a file lib/particulate/kinematics/nosuch.cpp' '3s/central_force/nosuch/'
-spoilt 'there must be a case verification/ch01_fundamentals/nosuch.cpp' 's/potential_limit/nosuch/'
-spoilt 'there must be a case nosuch in verification/ch01_fundamentals/potential_limit.cpp' 's/:potential_limit/:nosuch/'
+spoilt 'there must be a case verification/ch01_fundamentals/nosuch.cpp' 's/central_force$/nosuch/'
+spoilt 'there must be a case nosuch in verification/ch01_fundamentals/central_force.cpp' 's/:potential_limit/:nosuch/'
 spoilt "logarithm: 'to' must differ from 'from'" '6s/d . d_ref - 1.0/logarithm/'
 spoilt "logarithm: 'what' must be given" '4s/ .*//'
 spoilt "names of defects must differ, got 'logarithm' twice" 's/harmless/logarithm/'
@@ -62,7 +62,7 @@ spoilt "a line must begin with" '2s/kind/sort/'
 spoilt "must name the defects of" ''
 ends 1 "--only must name a defect" --defects defects.txt --only nosuch
 ends 2 "there is no option" --nosuch
-ends 1 "in a header" --built "$build" --only verlet_kick_without_half "$work/run"
+ends 1 "in a header" --built "$build" --only reaction_points_along "$work/run"
 
 # --- Results ---------------------------------------------------------------------------------------------------------
 ends 1 'caught by nothing: harmless' --defects defects.txt --built "$build" --record "$work/run"
