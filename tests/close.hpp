@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 #include <boost/test/unit_test.hpp>
 
+#include "numbers.hpp"
 #include "says.hpp"
 
 namespace tests {

@@ -1,12 +1,8 @@
 #include "close.hpp"
 
-#include <limits>
 #include <stdexcept>
 
 namespace tests::close_test {
-
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 const Eigen::Matrix2d a{{1.0, -2.0}, {0.0, 1e6}};
 

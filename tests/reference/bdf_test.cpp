@@ -9,6 +9,7 @@
 #include <particulate/reference/integrator.hpp>
 
 #include "close.hpp"
+#include "problems.hpp"
 
 namespace tests::bdf_test {
 
@@ -16,10 +17,6 @@ using namespace particulate::reference;
 using namespace particulate::schemes;
 
 constexpr double pi = std::numbers::pi;
-
-bool holds(const std::string& text, const std::string& words) { return text.find(words) != std::string::npos; }
-
-State one(double y) { return {.t = 0.0, .y = Eigen::VectorXd::Constant(1, y)}; }
 
 // y' = -1e6 (y - cos t) - sin t: y = cos t + (y_0 - 1) exp(-1e6 t).
 struct Stiff {
@@ -279,7 +276,7 @@ BOOST_AUTO_TEST_CASE(every_setting_reaches_cvode) {
   State state = one(1.0);
   const Outcome cut = integrate(problem, state, 1.0, Bdf{.max_steps = 7});
   BOOST_TEST((cut.status == Status::failed && cut.steps == 7));
-  BOOST_TEST(holds(cut.reason, "max_steps = 7 were not enough"), cut.reason);
+  BOOST_TEST(contains(cut.reason, "max_steps = 7 were not enough"));
 }
 
 BOOST_AUTO_TEST_CASE(counts_in_legs_what_the_problem_and_sundials_count) {
@@ -364,9 +361,8 @@ BOOST_AUTO_TEST_CASE(of_another_size_is_refused) {
     static void jacobian(double, In, Eigen::MatrixXd& J) { J = -Eigen::MatrixXd::Identity(2, 3); }
   } problem;
   State state = one(1.0);
-  BOOST_CHECK_EXCEPTION(
-      (void)integrate(problem, state, 1.0, Bdf{}), std::invalid_argument,
-      says("jacobian must leave its matrix 1 x 1, one row a rate and one column an unknown, got 2 x 3"));
+  CHECK_REFUSED(integrate(problem, state, 1.0, Bdf{}),
+                "jacobian must leave its matrix 1 x 1, one row a rate and one column an unknown, got 2 x 3");
 }
 
 BOOST_AUTO_TEST_CASE(that_is_not_finite_ends_the_run_with_the_reason) {
@@ -382,7 +378,7 @@ BOOST_AUTO_TEST_CASE(that_is_not_finite_ends_the_run_with_the_reason) {
   State state = one(1.0);
   const Outcome out = integrate(problem, state, 10.0, Bdf{.relative = 1e-6, .absolute = 1e-8});
   BOOST_TEST((out.status == Status::failed));
-  BOOST_TEST(holds(out.reason, "its Jacobian was not finite at t = "), out.reason);
+  BOOST_TEST(contains(out.reason, "its Jacobian was not finite at t = "));
   BOOST_TEST(state.y[0] == std::exp(-state.t), boost::test_tools::tolerance(1e-4));
 }
 
@@ -391,9 +387,9 @@ BOOST_AUTO_TEST_CASE(a_band_as_wide_as_the_problem_is_refused) {
   const State state = rod(0.0);
   for (const auto& [lower, upper] : {std::pair(24, 0), std::pair(0, 24)}) {
     const Bdf method{.jacobian = BandedJacobian{.lower = lower, .upper = upper}};
-    BOOST_CHECK_EXCEPTION(Integrator(problem, state, method), std::invalid_argument,
-                          says("half-bandwidths must be below the number of unknowns, 24, got lower " +
-                               std::to_string(lower) + " and upper " + std::to_string(upper)));
+    CHECK_REFUSED(Integrator(problem, state, method),
+                  "half-bandwidths must be below the number of unknowns, 24, got lower " + std::to_string(lower) +
+                      " and upper " + std::to_string(upper));
   }
   BOOST_CHECK_NO_THROW(Integrator(problem, state, Bdf{.jacobian = BandedJacobian{.lower = 23, .upper = 23}}));
 }

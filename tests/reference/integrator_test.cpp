@@ -23,6 +23,7 @@
 #include <particulate/schemes/runge_kutta.hpp>
 
 #include "close.hpp"
+#include "problems.hpp"
 
 namespace tests::integrator_test {
 
@@ -30,10 +31,6 @@ using namespace particulate::reference;
 using namespace particulate::schemes;
 
 constexpr double pi = std::numbers::pi;
-
-State one(double y, double t = 0.0) { return {.t = t, .y = Eigen::VectorXd::Constant(1, y)}; }
-
-bool holds(const std::string& text, const std::string& words) { return text.find(words) != std::string::npos; }
 
 bool equal(const State& a, const State& b) { return a.t == b.t && a.r == b.r && a.v == b.v && a.y == b.y; }
 
@@ -565,8 +562,8 @@ BOOST_AUTO_TEST_CASE(where_no_step_leads_on_the_run_fails_at_the_state_it_reache
     Integrator integrator(problem, state, method);
     const Outcome out = integrator.advance(state, 2.0);
     BOOST_TEST((out.status == Status::failed));
-    BOOST_TEST(holds(out.reason, "the problem had no finite value at t = "), out.reason);
-    BOOST_TEST(holds(out.reason, "stop before this time"), out.reason);
+    BOOST_TEST(contains(out.reason, "the problem had no finite value at t = "));
+    BOOST_TEST(contains(out.reason, "stop before this time"));
     BOOST_TEST(out.t == state.t, boost::test_tools::tolerance(0.0));
     BOOST_TEST(state.t == 1.0, boost::test_tools::tolerance(1e-6));
     BOOST_TEST(state.y[0] == state.t, boost::test_tools::tolerance(1e-12));
@@ -588,8 +585,8 @@ BOOST_AUTO_TEST_CASE(a_fixed_step_cannot_shrink) {
   BOOST_TEST(out.t == 0.9, boost::test_tools::tolerance(1e-14));
   BOOST_TEST(state.t == out.t, boost::test_tools::tolerance(0.0));
   BOOST_TEST(state.y[0] == 0.9, boost::test_tools::tolerance(1e-14));
-  BOOST_TEST(holds(out.reason, "ARK_UNREC_RHSFUNC_ERR"), out.reason);
-  BOOST_TEST(holds(out.reason, "take smaller steps"), out.reason);
+  BOOST_TEST(contains(out.reason, "ARK_UNREC_RHSFUNC_ERR"));
+  BOOST_TEST(contains(out.reason, "take smaller steps"));
 }
 
 BOOST_AUTO_TEST_CASE(a_start_without_one_fails_there) {
@@ -602,8 +599,8 @@ BOOST_AUTO_TEST_CASE(a_start_without_one_fails_there) {
       BOOST_TEST(out.steps == 0);
       BOOST_TEST(out.evaluations == 1);
       BOOST_TEST(equal(state, one(-1.0)));
-      BOOST_TEST(holds(out.reason, "at t = 0 s: "), out.reason);
-      BOOST_TEST(holds(out.reason, "the problem had no finite value at t = 0 s"), out.reason);
+      BOOST_TEST(contains(out.reason, "at t = 0 s: "));
+      BOOST_TEST(contains(out.reason, "the problem had no finite value at t = 0 s"));
     }
   }
 }
@@ -622,7 +619,7 @@ BOOST_AUTO_TEST_CASE(a_solution_that_ends_before_t_end_is_no_answer) {
     BOOST_TEST(out.t == 1.0, boost::test_tools::tolerance(1e-3));
     BOOST_TEST(state.t == out.t, boost::test_tools::tolerance(0.0));
     BOOST_TEST(std::isfinite(state.y[0]));
-    BOOST_TEST(holds(out.reason, "too small to change the time"), out.reason);
+    BOOST_TEST(contains(out.reason, "too small to change the time"));
   }
 }
 
@@ -633,7 +630,7 @@ BOOST_AUTO_TEST_CASE(a_step_to_infinity_is_not_taken) {
   const Outcome out =
       integrate(problem, state, 3.0, ExplicitRungeKutta{.table = Table::heun_euler_2_1_2, .fixed_step = 1.0});
   BOOST_TEST((out.status == Status::failed));
-  BOOST_TEST(holds(out.reason, "not finite"), out.reason);
+  BOOST_TEST(contains(out.reason, "not finite"));
   BOOST_TEST(out.t == 1.0, boost::test_tools::tolerance(0.0));
   BOOST_TEST(state.y[0] == 1e308, boost::test_tools::tolerance(1e-14));
 }
@@ -648,7 +645,7 @@ BOOST_AUTO_TEST_CASE(a_run_that_takes_too_many_steps_stops_and_can_go_on) {
     const Outcome cut = integrator.advance(state, 3.0);
     BOOST_TEST((cut.status == Status::failed));
     BOOST_TEST(cut.steps == 7);
-    BOOST_TEST(holds(cut.reason, "max_steps = 7 were not enough to get beyond t = "), cut.reason);
+    BOOST_TEST(contains(cut.reason, "max_steps = 7 were not enough to get beyond t = "));
     BOOST_TEST((cut.t == state.t && state.t < 3.0));
     BOOST_TEST(error(state) < 1e-6);
 
@@ -668,7 +665,7 @@ BOOST_AUTO_TEST_CASE(more_digits_than_a_double_has_are_refused_with_the_reason) 
     State state = one(1.0);
     const Outcome out = integrate(problem, state, 1.0, method);
     BOOST_TEST((out.status == Status::failed));
-    BOOST_TEST(holds(out.reason, "_TOO_MUCH_ACC: the tolerances ask for more digits than a double has"), out.reason);
+    BOOST_TEST(contains(out.reason, "_TOO_MUCH_ACC: the tolerances ask for more digits than a double has"));
     BOOST_TEST(equal(state, one(1.0)));
   }
 }
@@ -679,7 +676,7 @@ BOOST_AUTO_TEST_CASE(an_end_within_rounding_of_the_start_is_refused) {
     State state = one(1.0, 3.0);
     const Outcome out = integrate(problem, state, std::nextafter(3.0, 4.0), method);
     BOOST_TEST((out.status == Status::failed));
-    BOOST_TEST(holds(out.reason, "lies within rounding of the state's time 3 s; choose an end more than"), out.reason);
+    BOOST_TEST(contains(out.reason, "lies within rounding of the state's time 3 s; choose an end more than"));
   }
 }
 
@@ -727,9 +724,9 @@ BOOST_AUTO_TEST_SUITE(mistakes)
 BOOST_AUTO_TEST_CASE(a_bad_setting_is_refused_where_it_enters) {
   auto problem = swinging();
   State state = one(1.0);
-  BOOST_CHECK_EXCEPTION(Integrator(problem, state, Adams{.relative = 1e-17}), std::invalid_argument, says("got 1e-17"));
-  BOOST_CHECK_EXCEPTION((void)integrate(problem, state, 1.0, ExplicitRungeKutta{.fixed_step = -1.0}),
-                        std::invalid_argument, says("fixed_step must be positive and finite"));
+  CHECK_REFUSED(Integrator(problem, state, Adams{.relative = 1e-17}), "got 1e-17");
+  CHECK_REFUSED(integrate(problem, state, 1.0, ExplicitRungeKutta{.fixed_step = -1.0}),
+                "fixed_step must be positive and finite");
 }
 
 BOOST_AUTO_TEST_CASE(a_bad_start_or_end_is_refused) {
@@ -738,15 +735,12 @@ BOOST_AUTO_TEST_CASE(a_bad_start_or_end_is_refused) {
   Kepler kepler;
   State state = one(1.0, 2.0);
   Integrator integrator(problem, state, Adams{});
-  BOOST_CHECK_EXCEPTION(Integrator(problem, one(nan), Adams{}), std::invalid_argument,
-                        says("values must start finite, got nan"));
-  BOOST_CHECK_EXCEPTION((void)integrator.advance(state, 1.0), std::invalid_argument,
-                        says("not before the start at 2 s, got 1 s"));
-  BOOST_CHECK_EXCEPTION((void)integrator.advance(state, nan), std::invalid_argument, says("got nan s"));
+  CHECK_REFUSED(Integrator(problem, one(nan), Adams{}), "values must start finite, got nan");
+  CHECK_REFUSED(integrator.advance(state, 1.0), "not before the start at 2 s, got 1 s");
+  CHECK_REFUSED(integrator.advance(state, nan), "got nan s");
   State uneven = orbit(0.0);
   uneven.v.conservativeResize(1);
-  BOOST_CHECK_EXCEPTION(Integrator(kepler, uneven, Adams{}), std::invalid_argument,
-                        says("positions and velocities must have one length, got 2 and 1"));
+  CHECK_REFUSED(Integrator(kepler, uneven, Adams{}), "positions and velocities must have one length, got 2 and 1");
 }
 
 BOOST_AUTO_TEST_CASE(a_part_of_the_state_that_the_problem_does_not_have_is_refused) {
@@ -754,18 +748,16 @@ BOOST_AUTO_TEST_CASE(a_part_of_the_state_that_the_problem_does_not_have_is_refus
   Kepler kepler;
   State both = orbit(0.0);
   both.y = Eigen::VectorXd::Ones(1);
-  BOOST_CHECK_EXCEPTION(Integrator(problem, both, Adams{}), std::invalid_argument,
-                        says("a rate of values alone, so the state must have no places, got 2"));
-  BOOST_CHECK_EXCEPTION(Integrator(kepler, both, Adams{}), std::invalid_argument,
-                        says("no rate for values, so the state must have none, got 1"));
+  CHECK_REFUSED(Integrator(problem, both, Adams{}), "a rate of values alone, so the state must have no places, got 2");
+  CHECK_REFUSED(Integrator(kepler, both, Adams{}), "no rate for values, so the state must have none, got 1");
 }
 
 BOOST_AUTO_TEST_CASE(a_state_that_changed_its_length_is_refused) {
   auto problem = swinging();
   Integrator integrator(problem, one(1.0), Adams{});
   State longer{.t = 0.0, .y = Eigen::VectorXd::Ones(2)};
-  BOOST_CHECK_EXCEPTION((void)integrator.advance(longer, 1.0), std::invalid_argument,
-                        says("the state must keep the 1 unknowns that the integrator was made for, got 2"));
+  CHECK_REFUSED(integrator.advance(longer, 1.0),
+                "the state must keep the 1 unknowns that the integrator was made for, got 2");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

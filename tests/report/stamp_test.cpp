@@ -55,7 +55,7 @@ BOOST_AUTO_TEST_CASE(writes_every_field) {
 BOOST_AUTO_TEST_CASE(fits_one_line) {
   const std::string line = one_line(make_stamp("o", 1, "baseline"));
   BOOST_TEST(line.find('\n') == std::string::npos);
-  BOOST_TEST(line.find("kernel baseline, seed 1") != std::string::npos);
+  BOOST_TEST(contains(line, "kernel baseline, seed 1"));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -11,7 +11,6 @@ using boost::test_tools::tolerance;
 using namespace particulate::schemes;
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // One step of displacement 4 from a start of size 12, whose sweeps change the state by 2, 1 and 1/4.
 IterationMeasure three_sweeps() {
@@ -23,8 +22,6 @@ IterationMeasure three_sweeps() {
 }
 
 Attempt attempt_with(const Iteration& it) { return {.dt = 0.5, .iteration = it}; }
-
-bool contains(const std::string& text, const std::string& words) { return text.find(words) != std::string::npos; }
 
 BOOST_AUTO_TEST_SUITE(IterationMeasure_)
 

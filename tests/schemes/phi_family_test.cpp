@@ -11,6 +11,7 @@
 
 #include "close.hpp"
 #include "order.hpp"
+#include "problems.hpp"
 
 namespace tests::phi_family_test {
 
@@ -63,8 +64,7 @@ State at(double r, double v) {
 // One step to rounding.
 template <class S, class P>
 State stepped(S scheme, P problem, State state, double dt) {
-  FixedStep control{.step = dt, .contractions = 100000};
-  const Outcome outcome = integrate(problem, state, state.t + dt, scheme, control);
+  const Outcome outcome = run(problem, state, state.t + dt, scheme, FixedStep{.step = dt, .contractions = 100000});
   BOOST_TEST_REQUIRE(outcome.reason == "");
   return state;
 }
@@ -72,9 +72,7 @@ State stepped(S scheme, P problem, State state, double dt) {
 template <class S>
 double error_of_driven(S scheme, int steps) {
   State state{.t = 0.0, .y = Eigen::VectorXd::Zero(1)};
-  const Driven problem;
-  FixedStep control{.step = 1.3 / steps};
-  BOOST_REQUIRE(integrate(problem, state, 1.3, scheme, control).steps == steps);
+  BOOST_REQUIRE(run(Driven{}, state, 1.3, scheme, FixedStep{.step = 1.3 / steps}).steps == steps);
   return std::abs(state.y[0] - std::sin(1.3));
 }
 
@@ -89,12 +87,10 @@ double largest_amplitude(double phi, TimeScale::Kind kind, C control, double ste
     largest = std::max(largest, now);
     return now > 1e-100;
   };
-  const Spring spring;
-  const Decay decay;
-  State state = kind == TimeScale::Kind::decays ? State{.y = Eigen::VectorXd::Ones(1)} : at(1.0, 0.0);
+  State state = kind == TimeScale::Kind::decays ? one() : at(1.0, 0.0);
   const double t_end = steps * control.step;
-  const Outcome outcome = kind == TimeScale::Kind::decays ? integrate(decay, state, t_end, scheme, control, observe)
-                                                          : integrate(spring, state, t_end, scheme, control, observe);
+  const Outcome outcome = kind == TimeScale::Kind::decays ? run(Decay{}, state, t_end, scheme, control, observe)
+                                                          : run(Spring{}, state, t_end, scheme, control, observe);
   return outcome.status != Status::failed ? largest : std::numeric_limits<double>::infinity();
 }
 
@@ -185,7 +181,7 @@ BOOST_AUTO_TEST_CASE(knows_the_exponent_of_its_contraction) {
   scheme.predict(drag, at(1.0, 2.0), 0.5, moved);
   BOOST_TEST(scheme.sweep(drag, at(1.0, 2.0), 0.5, moved).p == 1);
   State values;
-  const State from{.t = 0.0, .y = Eigen::VectorXd::Ones(1)};
+  const State from = one();
   scheme.predict(decay, from, 0.5, values);
   BOOST_TEST(scheme.sweep(decay, from, 0.5, values).p == 1);
 }
@@ -193,10 +189,7 @@ BOOST_AUTO_TEST_CASE(knows_the_exponent_of_its_contraction) {
 BOOST_AUTO_TEST_CASE(solves_first_order_problems) {
   for (const double phi : {1.0, 0.5}) {
     State state{.t = 0.0, .y = Eigen::VectorXd::Constant(1, 2.0)};
-    const Decay problem;
-    PhiFamily<> scheme(phi);
-    FixedStep control{.step = 0.5};
-    BOOST_REQUIRE(integrate(problem, state, 0.5, scheme, control).steps == 1);
+    BOOST_REQUIRE(run(Decay{}, state, 0.5, PhiFamily<>(phi), FixedStep{.step = 0.5}).steps == 1);
     BOOST_TEST(state.y[0] == 2.0 * (1.0 - 0.5 * (1.0 - phi)) / (1.0 + 0.5 * phi), tolerance(1e-15));
   }
 }
@@ -303,8 +296,8 @@ BOOST_AUTO_TEST_CASE(spans_no_oscillation_below_one_half) {
 }
 
 BOOST_AUTO_TEST_CASE(refuses_a_weight_that_is_none) {
-  BOOST_CHECK_EXCEPTION(PhiFamily<>(1.5), std::invalid_argument, says("phi must be in [0, 1], got 1.5"));
-  BOOST_CHECK_EXCEPTION(PhiFamily<>(std::numeric_limits<double>::quiet_NaN()), std::invalid_argument, says("got nan"));
+  CHECK_REFUSED(PhiFamily<>(1.5), "phi must be in [0, 1], got 1.5");
+  CHECK_REFUSED(PhiFamily<>(std::numeric_limits<double>::quiet_NaN()), "got nan");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -397,7 +397,7 @@ BOOST_AUTO_TEST_CASE(that_do_not_make_up_the_values_are_refused) {
   const auto refuses = [](std::vector<Range> given, const char* words) {
     Coupled coupled;
     coupled.given = std::move(given);
-    BOOST_CHECK_EXCEPTION((void)Problem(coupled).ranges(3), std::invalid_argument, says(words));
+    CHECK_REFUSED(Problem(coupled).ranges(3), words);
   };
   const Range heat{.name = "heat", .first = 0, .size = 1};
   refuses({heat, {.name = "charge", .first = 2, .size = 1}}, "charge begins at 2 where 1 is next");

@@ -8,6 +8,7 @@
 
 #include "close.hpp"
 #include "order.hpp"
+#include "problems.hpp"
 
 namespace tests::runge_kutta_test {
 
@@ -93,9 +94,7 @@ template <class P>
 double error_after(const P& problem, int steps) {
   const double t_end = 1.7;
   auto state = P::at(0.0);
-  RungeKutta4 scheme;
-  FixedStep control{.step = t_end / steps};
-  const Outcome outcome = integrate(problem, state, t_end, scheme, control);
+  const Outcome outcome = run(problem, state, t_end, RungeKutta4(), FixedStep{.step = t_end / steps});
   BOOST_REQUIRE(outcome.steps == steps);
   BOOST_REQUIRE(outcome.evaluations == 4 * steps);
   return error(state, P::at(t_end));
@@ -117,7 +116,8 @@ BOOST_AUTO_TEST_CASE(takes_the_first_five_terms_of_the_exponential) {
       dy = y;
       return true;
     }
-  } problem;
+  };
+  Exponential problem;
   RungeKutta4 scheme;
   State to;
   BOOST_TEST(scheme.predict(problem, State{.t = 2.0, .y = Eigen::VectorXd::Ones(1)}, 1.0, to));
@@ -127,16 +127,10 @@ BOOST_AUTO_TEST_CASE(takes_the_first_five_terms_of_the_exponential) {
 
 // r'' = -r from (1, 0), Dt = 1: r = 1 - 1/2 + 1/24, v = -1 + 1/6.
 BOOST_AUTO_TEST_CASE(takes_the_first_five_terms_of_the_circle) {
-  struct Spring {
-    bool acceleration(double, In r, Out a) const {
-      a = -r;
-      return true;
-    }
-  } problem;
+  Spring problem;
   RungeKutta4 scheme;
   State to;
-  BOOST_TEST(
-      scheme.predict(problem, State{.t = 0.0, .r = Eigen::VectorXd::Ones(1), .v = Eigen::VectorXd::Zero(1)}, 1.0, to));
+  BOOST_TEST(scheme.predict(problem, displaced(), 1.0, to));
   BOOST_TEST(to.r[0] == 13.0 / 24.0, tolerance(2.0 * eps));
   BOOST_TEST(to.v[0] == -5.0 / 6.0, tolerance(2.0 * eps));
 }
@@ -220,47 +214,25 @@ BOOST_AUTO_TEST_CASE(continues_from_a_copy_to_the_same_bits) {
 
 // |R(i z)| = 1 at z = 2 sqrt 2.
 BOOST_AUTO_TEST_CASE(is_stable_on_an_oscillator_up_to_its_limit_only) {
-  struct Spring {
-    bool acceleration(double, In r, Out a) const {
-      a = -r;
-      return true;
-    }
-  } problem;
   for (const double factor : {0.99, 1.01}) {
-    State state{.t = 0.0, .r = Eigen::VectorXd::Ones(1), .v = Eigen::VectorXd::Zero(1)};
-    RungeKutta4 scheme;
+    State state = displaced();
     FixedStep control{.step = factor * 2.0 * std::sqrt(2.0)};
-    BOOST_TEST(integrate(problem, state, 200.0 * control.step, scheme, control).steps == 200);
+    BOOST_TEST(run(Spring{}, state, 200.0 * control.step, RungeKutta4(), control).steps == 200);
     BOOST_TEST((std::hypot(state.r[0], state.v[0]) < 1.0) == (factor < 1.0));
   }
 }
 
 // Amplitude after 2000 steps of the multiple of the limit that spans() gives, by a hair within or beyond it.
 BOOST_AUTO_TEST_CASE(spans_of_an_oscillation_and_of_a_decay_what_it_can_and_no_more) {
-  struct Spring {
-    bool acceleration(double, In r, Out a) const {
-      a = -r;
-      return true;
-    }
-  } spring;
-  struct Decay {
-    bool rate(double, In y, Out dy) const {
-      dy = -y;
-      return true;
-    }
-  } decay;
   const auto amplitude = [](const auto& problem, State state, TimeScale::Kind kind, double factor) {
-    RungeKutta4 scheme;
     FixedStep control{.step = factor * RungeKutta4::spans(kind, 0)};
-    BOOST_TEST(integrate(problem, state, 2000.0 * control.step, scheme, control).steps == 2000);
+    BOOST_TEST(run(problem, state, 2000.0 * control.step, RungeKutta4(), control).steps == 2000);
     return flat(state).norm();
   };
-  const State displaced{.r = Eigen::VectorXd::Ones(1), .v = Eigen::VectorXd::Zero(1)};
-  BOOST_TEST(amplitude(spring, displaced, TimeScale::Kind::oscillates, 1.0 - 1e-3) < 1e-4);
-  BOOST_TEST(amplitude(spring, displaced, TimeScale::Kind::oscillates, 1.0 + 1e-3) > 1e4);
-  const State one{.y = Eigen::VectorXd::Ones(1)};
-  BOOST_TEST(amplitude(decay, one, TimeScale::Kind::decays, 1.0 - 1e-3) < 1e-3);
-  BOOST_TEST(amplitude(decay, one, TimeScale::Kind::decays, 1.0 + 1e-3) > 1e3);
+  BOOST_TEST(amplitude(Spring{}, displaced(), TimeScale::Kind::oscillates, 1.0 - 1e-3) < 1e-4);
+  BOOST_TEST(amplitude(Spring{}, displaced(), TimeScale::Kind::oscillates, 1.0 + 1e-3) > 1e4);
+  BOOST_TEST(amplitude(Decay{}, one(), TimeScale::Kind::decays, 1.0 - 1e-3) < 1e-3);
+  BOOST_TEST(amplitude(Decay{}, one(), TimeScale::Kind::decays, 1.0 + 1e-3) > 1e3);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

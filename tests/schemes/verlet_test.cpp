@@ -8,6 +8,7 @@
 
 #include "close.hpp"
 #include "order.hpp"
+#include "problems.hpp"
 
 namespace tests::verlet_test {
 
@@ -38,16 +39,11 @@ struct Driven {
 double error_after(int steps) {
   const double t_end = 1.7;
   State state = Driven::at(0.0);
-  VelocityVerlet scheme;
-  FixedStep control{.step = t_end / steps};
-  const Driven problem;
-  const Outcome outcome = integrate(problem, state, t_end, scheme, control);
+  const Outcome outcome = run(Driven{}, state, t_end, VelocityVerlet(), FixedStep{.step = t_end / steps});
   BOOST_REQUIRE(outcome.steps == steps);
   const State exact = Driven::at(t_end);
   return std::hypot((state.r - exact.r).norm(), (state.v - exact.v).norm());
 }
-
-State displaced() { return {.t = 0.0, .r = Eigen::VectorXd::Ones(1), .v = Eigen::VectorXd::Zero(1)}; }
 
 // One accepted step.
 template <class P>
@@ -112,7 +108,8 @@ BOOST_AUTO_TEST_CASE(retraces_its_steps_when_velocities_are_turned) {
       a = -(r.array() * (1.0 + r.array().square())).matrix();
       return true;
     }
-  } anharmonic;
+  };
+  Autonomous anharmonic;
   const State start = Driven::at(0.3);
   State state = start;
   state.t = 0.0;
@@ -143,9 +140,8 @@ BOOST_AUTO_TEST_CASE(is_stable_on_an_oscillator_up_to_its_limit_only) {
   const Spring problem;
   for (const double factor : {0.99, 1.01}) {
     State state = displaced();
-    VelocityVerlet scheme;
     FixedStep control{.step = factor * 2.0};
-    BOOST_TEST(integrate(problem, state, 200.0 * control.step, scheme, control).steps == 200);
+    BOOST_TEST(run(problem, state, 200.0 * control.step, VelocityVerlet(), control).steps == 200);
     BOOST_TEST((std::abs(state.r[0]) < 2.0) == (factor < 1.0));
   }
 }
@@ -156,14 +152,13 @@ BOOST_AUTO_TEST_CASE(spans_of_an_oscillation_what_it_can_and_no_more) {
   const Spring problem;
   for (const double factor : {1.0 - 1e-3, 1.0 + 1e-3}) {
     State state = displaced();
-    VelocityVerlet scheme;
     FixedStep control{.step = factor * VelocityVerlet::spans(TimeScale::Kind::oscillates, 0)};
     double largest = 0.0;
     const auto observe = [&](const State&, const State& to, double, const VelocityVerlet&) {
       largest = std::max(largest, std::abs(to.r[0]));
       return true;
     };
-    BOOST_TEST(integrate(problem, state, 2000.0 * control.step, scheme, control, observe).steps == 2000);
+    BOOST_TEST(run(problem, state, 2000.0 * control.step, VelocityVerlet(), control, observe).steps == 2000);
     BOOST_TEST((factor < 1.0 ? largest < 30.0 : largest > 1e60));
   }
   BOOST_TEST(std::isinf(VelocityVerlet::spans(TimeScale::Kind::decays, 0)));  // it advances none
