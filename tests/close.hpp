@@ -11,6 +11,8 @@
 
 namespace tests {
 
+using boost::test_tools::tolerance;
+
 /// What close() allows between two entries: |a - b| <= absolute + relative max(|a|, |b|).
 struct Tolerance {
   double relative = 0.0;

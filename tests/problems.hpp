@@ -3,16 +3,18 @@
 #include <cmath>
 #include <utility>
 
+#include <boost/test/unit_test.hpp>
 #include <particulate/schemes/integrate.hpp>
 
 namespace tests {
 
 using particulate::schemes::In, particulate::schemes::Out;
 
-/// r'' = -r.
+/// r'' = -k r.
 struct Spring {
+  double stiffness = 1.0;
   bool acceleration(double, In r, Out a) const {
-    a = -r;
+    a = -stiffness * r;
     return true;
   }
 };
@@ -33,11 +35,34 @@ struct Falling {
   }
 };
 
-/// y' = -y.
+/// y' = -c y.
 struct Decay {
+  double c = 1.0;
   bool rate(double, In y, Out dy) const {
-    dy = -y;
+    dy = -c * y;
     return true;
+  }
+};
+
+/// r_0 = 1/(1 + t) and r_1 = cos t.
+struct Driven {
+  bool acceleration(double t, In r, Out a) const {
+    a[0] = 2.0 * r[0] * r[0] * r[0];
+    a[1] = 3.0 * std::cos(t) - 4.0 * r[1];
+    return true;
+  }
+  static particulate::schemes::State at(double t) {
+    const double s = 1.0 / (1.0 + t);
+    return {.t = t, .r = Eigen::Vector2d(s, std::cos(t)), .v = Eigen::Vector2d(-s * s, -std::sin(t))};
+  }
+};
+
+/// r'' = -r, without a value from its n-th call on.
+struct Failing {
+  int n;
+  bool acceleration(double, In r, Out a) {
+    a = -r;
+    return --n > 0;
   }
 };
 
@@ -56,9 +81,36 @@ particulate::schemes::Outcome run(P&& problem, particulate::schemes::State& stat
   return particulate::schemes::integrate(problem, state, t_end, scheme, control, std::forward<Rest>(rest)...);
 }
 
-/// A body at r = 1 and at rest, at t = 0.
-inline particulate::schemes::State displaced() {
-  return {.t = 0.0, .r = Eigen::VectorXd::Ones(1), .v = Eigen::VectorXd::Zero(1)};
+/// First iterate of a step, or all of it where a scheme makes no sweeps.
+template <class S, class P>
+particulate::schemes::State predicted(S&& scheme, P&& problem, const particulate::schemes::State& from, double dt) {
+  particulate::schemes::State to = from;
+  BOOST_TEST_REQUIRE(scheme.predict(problem, from, dt, to));
+  return to;
+}
+
+/// A step after so many sweeps, not accepted.
+template <class S, class P>
+particulate::schemes::State swept(S&& scheme, P&& problem, const particulate::schemes::State& from, double dt,
+                                  int sweeps = 60) {
+  particulate::schemes::State to = predicted(scheme, problem, from, dt);
+  for (int k = 0; k < sweeps; ++k) scheme.sweep(problem, from, dt, to);
+  return to;
+}
+
+/// One body on a line.
+inline particulate::schemes::State body(double r, double v, double t = 0.0) {
+  return {.t = t, .r = Eigen::VectorXd::Constant(1, r), .v = Eigen::VectorXd::Constant(1, v)};
+}
+
+/// The same at r = 1 and at rest, at t = 0.
+inline particulate::schemes::State displaced() { return body(1.0, 0.0); }
+
+/// The same, with values.
+inline particulate::schemes::State displaced(const Eigen::VectorXd& y) {
+  particulate::schemes::State state = displaced();
+  state.y = y;
+  return state;
 }
 
 /// One value, at a time.

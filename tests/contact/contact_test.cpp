@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <span>
-#include <stdexcept>
 #include <vector>
 
 #include "close.hpp"
@@ -10,7 +9,6 @@
 
 namespace tests::contact_test {
 
-using boost::test_tools::tolerance;
 using namespace particulate::contact;
 using namespace particulate::kinematics;
 using namespace particulate::laws;

@@ -1,12 +1,9 @@
 #include <particulate/contact/friction.hpp>
 
-#include <stdexcept>
-
 #include "close.hpp"
 
 namespace tests::friction_test {
 
-using boost::test_tools::tolerance;
 using namespace particulate::contact;
 
 const Friction rough{.mu_s = 0.5, .mu_d = 0.25};

@@ -1,15 +1,12 @@
 #include <particulate/contact/located_contact.hpp>
 
 #include <cmath>
-#include <limits>
-#include <stdexcept>
 
 #include "close.hpp"
 #include "moment.hpp"
 
 namespace tests::located_contact_test {
 
-using boost::test_tools::tolerance;
 using namespace particulate::contact;
 using namespace particulate::kinematics;
 using namespace particulate::laws;
@@ -78,7 +75,6 @@ BOOST_AUTO_TEST_SUITE(ClosedGap_)
 
 BOOST_AUTO_TEST_CASE(is_a_part_of_the_radii_and_some_roundings_of_the_places) {
   Moment pair{spheres(Vectors{{0.0, 3.0, 4.0}, {0.0, 3.0, 5.0}}, Vectors::Zero(2, 3))};
-  constexpr double eps = std::numeric_limits<double>::epsilon();
   const ClosedGap gap = touching_tolerance(LocatedContact<>{.touching = 1e-9});
   BOOST_TEST(
       gap.between(pair.particles.position, pair.particles.radius, 0, 1) == 1e-9 + 16.0 * eps * (5.0 + std::sqrt(34.0)),

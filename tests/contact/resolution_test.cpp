@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <random>
 #include <vector>
@@ -11,12 +10,9 @@
 
 namespace tests::resolution_test {
 
-using boost::test_tools::tolerance;
 using namespace particulate::contact;
 using particulate::contact::Resolved;
 using namespace particulate::kinematics;
-
-constexpr double eps = std::numeric_limits<double>::epsilon();
 
 // Bodies that touch, without a place: directions are all that impulses ask for.
 struct Cluster {

@@ -1,7 +1,5 @@
 #include <particulate/contact/restitution.hpp>
 
-#include <stdexcept>
-
 #include <boost/test/unit_test.hpp>
 
 #include "numbers.hpp"

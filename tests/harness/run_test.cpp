@@ -12,6 +12,7 @@
 #include <particulate/report/table.hpp>
 
 #include "harness/child.hpp"
+#include "says.hpp"
 #include "scratch_folder.hpp"
 
 namespace tests::run_test {

@@ -1,7 +1,6 @@
 #include <particulate/kinematics/breathing.hpp>
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <stdexcept>
 #include <vector>
@@ -12,11 +11,7 @@
 
 namespace tests::breathing_test {
 
-using boost::test_tools::tolerance;
 using namespace particulate::kinematics;
-
-constexpr double eps = std::numeric_limits<double>::epsilon();
-constexpr double pi = std::numbers::pi;
 
 double acceleration(const RadialForce& force, double r) { return -force.A / (r * r) + force.B / (r * r * r); }
 

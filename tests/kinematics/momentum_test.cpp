@@ -1,7 +1,6 @@
 #include <particulate/kinematics/momentum.hpp>
 
 #include <cmath>
-#include <stdexcept>
 
 #include "close.hpp"
 

@@ -1,6 +1,5 @@
 #include <particulate/kinematics/particles.hpp>
 
-#include <stdexcept>
 #include <string>
 
 #include "close.hpp"

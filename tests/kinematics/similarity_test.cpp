@@ -1,7 +1,5 @@
 #include <particulate/kinematics/similarity.hpp>
 
-#include <stdexcept>
-
 #include "close.hpp"
 
 namespace tests::similarity_test {

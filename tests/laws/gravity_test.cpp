@@ -1,7 +1,5 @@
 #include <particulate/laws/gravity.hpp>
 
-#include <stdexcept>
-
 #include <particulate/scenes/scene.hpp>
 
 #include "close.hpp"

@@ -2,10 +2,8 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <random>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -15,12 +13,8 @@
 
 namespace tests::near_field_test {
 
-using boost::test_tools::tolerance;
 using namespace particulate::kinematics;
 using namespace particulate::laws;
-
-constexpr double eps = std::numeric_limits<double>::epsilon();
-constexpr double pi = std::numbers::pi;
 
 struct Cloud {
   Vectors position;

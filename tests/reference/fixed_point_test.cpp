@@ -40,8 +40,8 @@ BOOST_AUTO_TEST_CASE(a_halving_map_ends_in_the_iteration_and_with_the_change_tha
   BOOST_TEST(at.reason == "");
   BOOST_TEST(at.iterations == 11);
   BOOST_TEST(at.evaluations == 11);
-  BOOST_TEST(at.change == 1.0 / 1024, boost::test_tools::tolerance(0.0));
-  BOOST_TEST(x[0] == 2.0 - 1.0 / 1024, boost::test_tools::tolerance(0.0));
+  BOOST_TEST(at.change == 1.0 / 1024, tolerance(0.0));
+  BOOST_TEST(x[0] == 2.0 - 1.0 / 1024, tolerance(0.0));
 }
 
 // Two unknowns that halve, from 2 and 1 above their fixed points: the largest change, 1, 1/2 ..., is that of the first.
@@ -50,7 +50,7 @@ BOOST_AUTO_TEST_CASE(the_change_is_that_of_the_unknown_that_changes_most) {
   Eigen::VectorXd x = Eigen::Vector2d(4.0, -5.0);
   const FixedPoint at = solve_fixed_point(halving, x, {.tolerance = 0.126});
   BOOST_TEST(at.iterations == 4);
-  BOOST_TEST(at.change == 0.125, boost::test_tools::tolerance(0.0));
+  BOOST_TEST(at.change == 0.125, tolerance(0.0));
   BOOST_TEST(close(x, Eigen::Vector2d(2.125, -5.9375), {}));
 }
 
@@ -70,8 +70,8 @@ BOOST_AUTO_TEST_CASE(anderson_solves_a_line_with_two_evaluations_where_plain_ite
   const FixedPoint plain = solve_fixed_point(line, x, {.max_iterations = 3});
   BOOST_TEST(!plain.converged);
   BOOST_TEST(plain.iterations == 3);
-  BOOST_TEST(plain.change == 12.0, boost::test_tools::tolerance(0.0));
-  BOOST_TEST(x[0] == 9.0, boost::test_tools::tolerance(0.0));
+  BOOST_TEST(plain.change == 12.0, tolerance(0.0));
+  BOOST_TEST(x[0] == 9.0, tolerance(0.0));
   BOOST_TEST(
       contains(plain.reason, "max_iterations = 3 were not enough, the last changed an unknown by 12; allow more"));
 
@@ -79,7 +79,7 @@ BOOST_AUTO_TEST_CASE(anderson_solves_a_line_with_two_evaluations_where_plain_ite
   const FixedPoint mixed = solve_fixed_point(line, x, {.anderson = 1});
   BOOST_TEST(mixed.converged);
   BOOST_TEST(mixed.iterations == 3);
-  BOOST_TEST(x[0] == 1.0, boost::test_tools::tolerance(1e-15));
+  BOOST_TEST(x[0] == 1.0, tolerance(1e-15));
 }
 
 // Depth m solves an affine map of m unknowns with m + 2 evaluations, the last of which shows that nothing changes; less

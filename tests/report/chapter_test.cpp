@@ -9,6 +9,7 @@
 
 #include <particulate/report/files.hpp>
 
+#include "says.hpp"
 #include "scratch_folder.hpp"
 
 namespace tests::chapter_test {

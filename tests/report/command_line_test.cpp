@@ -2,7 +2,6 @@
 
 #include <bit>
 #include <cstdint>
-#include <limits>
 #include <sstream>
 #include <stdexcept>
 
@@ -18,7 +17,7 @@ namespace tests::command_line_test {
 
 using namespace particulate::report;
 
-constexpr double inf = std::numeric_limits<double>::infinity();
+constexpr double inf = infinity;
 
 // A program with one field of every type.
 struct Tried {

@@ -7,6 +7,7 @@
 
 #include <particulate/report/files.hpp>
 
+#include "says.hpp"
 #include "scratch_folder.hpp"
 
 namespace tests::stamp_test {

@@ -1,7 +1,6 @@
 #include <particulate/contact/located_contact.hpp>
 
 #include <cmath>
-#include <stdexcept>
 #include <vector>
 
 #include <particulate/laws/gravity.hpp>
@@ -16,7 +15,6 @@
 
 namespace tests::located_contact_test {
 
-using boost::test_tools::tolerance;
 using namespace particulate::contact;
 using namespace particulate::kinematics;
 using namespace particulate::laws;

@@ -1,14 +1,11 @@
 #include <particulate/schemes/error_control.hpp>
 
 #include <cmath>
-#include <limits>
-#include <stdexcept>
 
 #include "close.hpp"
 
 namespace tests::error_control_test {
 
-using boost::test_tools::tolerance;
 using namespace particulate::schemes;
 
 static_assert(Controller<ErrorControl>);
@@ -159,9 +156,8 @@ BOOST_AUTO_TEST_CASE(names_the_bound_and_what_was_given) {
     change(bad);
     CHECK_REFUSED(validate(bad), words);
   };
-  const double nan = std::numeric_limits<double>::quiet_NaN();
   refuses([](ErrorControl& c) { c.TOL = 1e-16; }, "error control: TOL must be finite and at least 2.22e-16");
-  refuses([=](ErrorControl& c) { c.TOL = nan; }, "got nan");
+  refuses([](ErrorControl& c) { c.TOL = not_a_number; }, "got nan");
   refuses([](ErrorControl& c) { c.sweep_TOL = 0.0; },
           "error control, sweeps: TOL must be finite and at least 2.22e-16");
   refuses([](ErrorControl& c) { c.K_d = 0; }, "K_d must be at least 1, got 0");

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -17,10 +15,7 @@
 
 namespace tests::events_test {
 
-using boost::test_tools::tolerance;
 using namespace particulate::schemes;
-
-constexpr double pi = std::numbers::pi;
 
 // The first place, or without places the first value, less a level.
 Events crossing(double level, Direction direction) {

@@ -1,8 +1,5 @@
 #include <particulate/schemes/fixed_sweeps.hpp>
 
-#include <limits>
-#include <stdexcept>
-
 #include "close.hpp"
 
 namespace tests::fixed_sweeps_test {
@@ -50,11 +47,10 @@ BOOST_AUTO_TEST_SUITE_END()
 BOOST_AUTO_TEST_SUITE(validate_)
 
 BOOST_AUTO_TEST_CASE(names_step_or_sweeps_and_what_was_given) {
-  const double nan = std::numeric_limits<double>::quiet_NaN();
   BOOST_CHECK_NO_THROW(validate(FixedSweeps{.step = 0.5, .sweeps = 1}));
   const auto refuses = [](const FixedSweeps& bad, const char* words) { CHECK_REFUSED(validate(bad), words); };
   refuses({.step = 0.0}, "fixed sweeps: step must be positive and finite, got 0 s");
-  refuses({.step = nan}, "got nan");
+  refuses({.step = not_a_number}, "got nan");
   refuses({.step = 0.5, .sweeps = 0}, "fixed sweeps: sweeps must be at least 1, got 0");
 }
 

@@ -1,7 +1,5 @@
 #include <particulate/schemes/mixing.hpp>
 
-#include <stdexcept>
-
 #include "close.hpp"
 
 namespace tests::mixing_test {

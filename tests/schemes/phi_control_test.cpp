@@ -1,14 +1,11 @@
 #include <particulate/schemes/phi_control.hpp>
 
 #include <array>
-#include <limits>
-#include <stdexcept>
 
 #include "close.hpp"
 
 namespace tests::phi_control_test {
 
-using boost::test_tools::tolerance;
 using namespace particulate::schemes;
 
 static_assert(Controller<PhiControl>);
@@ -125,9 +122,8 @@ BOOST_AUTO_TEST_CASE(names_the_setting_and_what_was_given) {
     change(bad);
     CHECK_REFUSED(validate(bad), words);
   };
-  const double nan = std::numeric_limits<double>::quiet_NaN();
   refuses([](PhiControl& c) { c.TOL = 1e-16; }, "TOL must be finite and at least 2.22e-16, below which is rounding");
-  refuses([=](PhiControl& c) { c.TOL = nan; }, "got nan");
+  refuses([](PhiControl& c) { c.TOL = not_a_number; }, "got nan");
   refuses([](PhiControl& c) { c.K_d = 0; }, "K_d must be at least 1, got 0");
   refuses([](PhiControl& c) { c.limit = 0.0; }, "limit must be positive and finite, in s, got 0");
   refuses([](PhiControl& c) { c.step = 1.0; }, "step must be positive and at most limit, in s, got 1");

@@ -1,7 +1,6 @@
 #include <particulate/schemes/step_settings.hpp>
 
 #include <initializer_list>
-#include <stdexcept>
 
 #include "numbers.hpp"
 #include "says.hpp"
