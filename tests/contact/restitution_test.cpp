@@ -1,7 +1,5 @@
 #include <particulate/contact/restitution.hpp>
 
-#include <boost/test/unit_test.hpp>
-
 #include "numbers.hpp"
 #include "says.hpp"
 

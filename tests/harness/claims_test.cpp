@@ -4,9 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
-#include <vector>
-
-#include <boost/test/unit_test.hpp>
 
 #include <harness/rows.hpp>
 

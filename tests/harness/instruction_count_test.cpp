@@ -3,8 +3,6 @@
 #include <stdexcept>
 #include <string>
 
-#include <boost/test/unit_test.hpp>
-
 #include "harness/child.hpp"
 #include "says.hpp"
 

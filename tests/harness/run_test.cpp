@@ -6,8 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include <boost/test/unit_test.hpp>
-
 #include <particulate/report/files.hpp>
 #include <particulate/report/table.hpp>
 

@@ -3,7 +3,6 @@
 #include <string>
 #include <utility>
 
-#include <boost/test/unit_test.hpp>
 #include <particulate/reference/integrator.hpp>
 
 #include "close.hpp"

@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include <boost/test/unit_test.hpp>
 #include <particulate/reference/integrator.hpp>
 
 #include "close.hpp"

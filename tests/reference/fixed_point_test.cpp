@@ -4,8 +4,6 @@
 #include <stdexcept>
 #include <string>
 
-#include <boost/test/unit_test.hpp>
-
 #include "close.hpp"
 
 namespace tests::fixed_point_test {

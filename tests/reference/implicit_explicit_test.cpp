@@ -3,9 +3,7 @@
 #include <cmath>
 #include <set>
 #include <stdexcept>
-#include <string>
 
-#include <boost/test/unit_test.hpp>
 #include <particulate/reference/integrator.hpp>
 
 #include "close.hpp"

@@ -7,11 +7,9 @@
 #include <cstdio>
 #include <future>
 #include <stdexcept>
-#include <string>
 #include <utility>
 #include <vector>
 
-#include <boost/test/unit_test.hpp>
 #include <particulate/kinematics/breathing.hpp>
 #include <particulate/laws/near_field.hpp>
 #include <particulate/reference/fixed_point.hpp>

@@ -3,8 +3,6 @@
 #include <set>
 #include <string>
 
-#include <boost/test/unit_test.hpp>
-
 #include "close.hpp"
 
 namespace tests::method_test {

@@ -5,8 +5,6 @@
 #include <sstream>
 #include <stdexcept>
 
-#include <boost/test/unit_test.hpp>
-
 #include <particulate/report/files.hpp>
 
 #include "says.hpp"

@@ -5,8 +5,6 @@
 #include <string>
 #include <vector>
 
-#include <boost/test/unit_test.hpp>
-
 #include "says.hpp"
 
 namespace tests::progress_test {

@@ -2,8 +2,6 @@
 
 #include <limits>
 
-#include <boost/test/unit_test.hpp>
-
 #include "says.hpp"
 
 namespace tests::range_test {

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cctype>
 
-#include <boost/test/unit_test.hpp>
-
 #include <particulate/report/files.hpp>
 
 #include "says.hpp"

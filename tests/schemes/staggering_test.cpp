@@ -1,7 +1,5 @@
 #include <particulate/schemes/staggering.hpp>
 
-#include <cmath>
-
 #include <Eigen/LU>
 
 #include <particulate/schemes/coupled_pair.hpp>
