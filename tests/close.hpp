@@ -6,9 +6,12 @@
 #include <Eigen/Core>
 #include <boost/test/unit_test.hpp>
 
+#include "numbers.hpp"
 #include "says.hpp"
 
 namespace tests {
+
+using boost::test_tools::tolerance;
 
 /// What close() allows between two entries: |a - b| <= absolute + relative max(|a|, |b|).
 struct Tolerance {

@@ -1,9 +1,7 @@
 #include <particulate/contact/contact.hpp>
 
 #include <cmath>
-#include <limits>
 #include <span>
-#include <stdexcept>
 #include <vector>
 
 #include "close.hpp"
@@ -11,13 +9,11 @@
 
 namespace tests::contact_test {
 
-using boost::test_tools::tolerance;
 using namespace particulate::contact;
 using namespace particulate::kinematics;
 using namespace particulate::laws;
 using namespace particulate::schemes;
 
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 const Space room{{Wall{.point = {0.0, 0.0, -1.0}, .normal = {0.0, 0.0, 1.0}},
                   Wall{.point = {4.0, 9.0, 9.0}, .normal = {-1.0, 0.0, 0.0}}}};
 
@@ -57,9 +53,7 @@ BOOST_AUTO_TEST_CASE(accepts_the_defaults_and_every_combination) {
 }
 
 BOOST_AUTO_TEST_CASE(refuses_what_its_parts_refuse) {
-  const auto refuses = [](const auto& law, const char* words) {
-    BOOST_CHECK_EXCEPTION(validate(law), std::invalid_argument, says(words));
-  };
+  const auto refuses = [](const auto& law, const char* words) { CHECK_REFUSED(validate(law), words); };
   refuses(Contact<>{.restitution = {1.5}}, "restitution: e must lie in [0, 1], got 1.5");
   refuses(Contact<Restitution>{.restitution = {.v_star = -1.0}}, "restitution: v_star must be positive");
   refuses(Contact<ConstantRestitution, Friction>{.friction = {.mu_s = 0.1, .mu_d = 0.2}},
@@ -68,11 +62,10 @@ BOOST_AUTO_TEST_CASE(refuses_what_its_parts_refuse) {
 
 BOOST_AUTO_TEST_CASE(refuses_a_duration_beyond_the_step_and_a_resolution_that_is_none) {
   for (const double gamma : {0.0, -0.01, 1.0, not_a_number}) {
-    BOOST_CHECK_EXCEPTION(validate(Contact<>{.gamma = gamma}), std::invalid_argument,
-                          says("contact: gamma must lie between 0 and 1, got "));
+    CHECK_REFUSED(validate(Contact<>{.gamma = gamma}), "contact: gamma must lie between 0 and 1, got ");
   }
-  BOOST_CHECK_EXCEPTION(validate(Contact<>{.resolution = static_cast<Resolution>(7)}), std::invalid_argument,
-                        says("contact: resolution must be summed or sequential, got number 7"));
+  CHECK_REFUSED(validate(Contact<>{.resolution = static_cast<Resolution>(7)}),
+                "contact: resolution must be summed or sequential, got number 7");
 }
 
 BOOST_AUTO_TEST_SUITE_END()
@@ -273,7 +266,7 @@ BOOST_AUTO_TEST_CASE(hands_on_what_could_not_be_settled) {
   const Space slot{{Wall{.point = {0.0, 0.0, -1.0}, .normal = {0.0, 0.0, 1.0}},
                     Wall{.point = {0.0, 0.0, 1.0}, .normal = {0.0, 0.0, -1.0}}}};
   const Jump jump = resolved(Contact{}, jammed, slot, Vectors::Zero(1, 3), 0.1).jump;
-  BOOST_TEST(jump.unsettled.find("of 2 contacts that hang together still approach") != std::string::npos);
+  BOOST_TEST(contains(jump.unsettled, "of 2 contacts that hang together still approach"));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

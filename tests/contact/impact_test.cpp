@@ -2,17 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "close.hpp"
 
 namespace tests::impact_test {
 
-using boost::test_tools::tolerance;
 using namespace particulate::contact;
 
-constexpr double eps = std::numeric_limits<double>::epsilon();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 const Eigen::Vector3d nothing = Eigen::Vector3d::Zero();
 const Eigen::Vector3d along_x = Eigen::Vector3d::UnitX();
 

@@ -1,19 +1,12 @@
 #include <particulate/contact/restitution.hpp>
 
-#include <limits>
-#include <stdexcept>
-
-#include <boost/test/unit_test.hpp>
-
+#include "numbers.hpp"
 #include "says.hpp"
 
 namespace tests::restitution_test {
 
 using boost::test_tools::tolerance;
 using namespace particulate::contact;
-
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 const Restitution falling{.e_o = 0.5, .v_star = 10.0, .e_minus = 0.125};
 
@@ -58,9 +51,7 @@ BOOST_AUTO_TEST_CASE(accepts_every_share_of_the_approach_speed) {
 }
 
 BOOST_AUTO_TEST_CASE(names_the_share_that_is_none) {
-  const auto refuses = [](const auto& law, const char* words) {
-    BOOST_CHECK_EXCEPTION(validate(law), std::invalid_argument, says(words));
-  };
+  const auto refuses = [](const auto& law, const char* words) { CHECK_REFUSED(validate(law), words); };
   refuses(Restitution{.e_o = 1.1}, "restitution: e_o must lie in [0, 1], got 1.1");
   refuses(Restitution{.e_o = -0.1}, "e_o must lie in [0, 1], got -0.1");
   refuses(Restitution{.e_o = not_a_number}, "e_o must lie in [0, 1], got nan");

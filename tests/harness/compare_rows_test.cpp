@@ -53,23 +53,25 @@ BOOST_AUTO_TEST_CASE(fails_if_a_row_is_gone_and_names_new_and_better_ones) {
 
 // A move of 0.09 against a thousandth of 100, that is 0.1, and against half of that.
 BOOST_AUTO_TEST_CASE(measures_moves_in_the_unit_of_the_tolerance) {
-  BOOST_TEST(compare("c,a,x,100,100,0,relative,0.001,pass,full\n", "c,a,x,100,100.09,0,relative,0.001,pass,full\n")
-                 .has("more than their tolerance: 0"));
-  BOOST_TEST(compare("c,a,x,100,100,0,relative,0.0005,pass,full\n", "c,a,x,100,100.09,0,relative,0.0005,pass,full\n")
-                 .has("more than their tolerance: 1"));
-  BOOST_TEST(compare("c,a,x,100,100,0,absolute,0.1,pass,full\n", "c,a,x,100,100.09,0,absolute,0.1,pass,full\n")
-                 .has("more than their tolerance: 0"));
-  BOOST_TEST(compare("c,a,x,100,100,0,absolute,0.1,pass,full\n", "c,a,x,100,nan,0,absolute,0.1,pass,full\n")
-                 .has("more than their tolerance: 1"));
-  // Mixed, with |expected| counting as at least 2: an error of 0.25 is a distance of 0.5, the tolerance one of 1.
-  BOOST_TEST(compare("c,a,x,0,0,0,mixed,0.5,pass,full\n", "c,a,x,0,0.5,0.25,mixed,0.5,pass,full\n")
-                 .has("more than their tolerance: 0"));
-  BOOST_TEST(compare("c,a,x,0,0,0,mixed,0.5,pass,full\n", "c,a,x,0,1.5,0.75,mixed,0.5,fail,full\n")
-                 .has("more than their tolerance: 1"));
-  BOOST_TEST(compare("c,a,x,1,0.5,-0.5,at most,0,pass,full\n", "c,a,x,1,0.9,-0.1,at most,0,pass,full\n")
-                 .has("more than their tolerance: 0"));
-  BOOST_TEST(compare("c,a,x,none,none,0,equal,0,pass,full\n", "c,a,x,none,RK4,0,equal,0,pass,full\n")
-                 .has("more than their tolerance: 1"));
+  struct Move {
+    const char *before, *after;
+    bool beyond;
+  };
+  for (const Move& move : {Move{"100,100,0,relative,0.001,pass", "100,100.09,0,relative,0.001,pass", false},
+                           Move{"100,100,0,relative,0.0005,pass", "100,100.09,0,relative,0.0005,pass", true},
+                           Move{"100,100,0,absolute,0.1,pass", "100,100.09,0,absolute,0.1,pass", false},
+                           Move{"100,100,0,absolute,0.1,pass", "100,nan,0,absolute,0.1,pass", true},
+                           // |expected| counts as at least 2: an error of 0.25 is a distance of 0.5, the tolerance 1.
+                           Move{"0,0,0,mixed,0.5,pass", "0,0.5,0.25,mixed,0.5,pass", false},
+                           Move{"0,0,0,mixed,0.5,pass", "0,1.5,0.75,mixed,0.5,fail", true},
+                           Move{"1,0.5,-0.5,at most,0,pass", "1,0.9,-0.1,at most,0,pass", false},
+                           Move{"none,none,0,equal,0,pass", "none,RK4,0,equal,0,pass", true}}) {
+    const auto row = [](const char* numbers) { return std::string("c,a,x,") + numbers + ",full\n"; };
+    BOOST_TEST_CONTEXT(move.before << " to " << move.after) {
+      BOOST_TEST(compare(row(move.before), row(move.after))
+                     .has(move.beyond ? "more than their tolerance: 1" : "more than their tolerance: 0"));
+    }
+  }
 }
 
 BOOST_AUTO_TEST_CASE(says_if_a_quick_run_stands_against_a_full_one) {

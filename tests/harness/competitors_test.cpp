@@ -3,8 +3,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include <boost/test/unit_test.hpp>
-
 #include <particulate/schemes/runge_kutta.hpp>
 
 #include "says.hpp"

@@ -3,8 +3,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include <boost/test/unit_test.hpp>
-
 #include "says.hpp"
 
 namespace tests::replay_test {

@@ -6,12 +6,11 @@
 #include <utility>
 #include <vector>
 
-#include <boost/test/unit_test.hpp>
-
 #include <particulate/report/files.hpp>
 #include <particulate/report/table.hpp>
 
 #include "harness/child.hpp"
+#include "says.hpp"
 #include "scratch_folder.hpp"
 
 namespace tests::run_test {
@@ -41,7 +40,7 @@ BOOST_AUTO_TEST_CASE(say_in_which_file_they_stand) {
   BOOST_TEST(run("harness_good", "--quick --out " + folder.path().native()).status == 0);
   const std::string cases = read_whole(folder.path() / "cases.csv");
   BOOST_TEST(cases.rfind("chapter,case,claim,equation,reference,source\nch00,converging,", 0) == 0U);
-  BOOST_TEST(cases.find("D 1.2,identity,programs/good.cpp\n") != std::string::npos);
+  BOOST_TEST(contains(cases, "D 1.2,identity,programs/good.cpp\n"));
 }
 
 BOOST_AUTO_TEST_CASE(end_with_success_and_exactly_these_rows) {
@@ -252,7 +251,7 @@ BOOST_AUTO_TEST_CASE(a_folder_that_takes_no_file_ends_with_status_2_before_any_c
   const Ended ended = run("harness_bad", "--case throwing --out " + (folder.path() / "file" / "below").native());
   BOOST_TEST(ended.status == 2);
   BOOST_TEST(ended.has("file/below cannot be made a folder for results: Not a directory"));
-  BOOST_TEST(ended.output.find("throwing") == std::string::npos);
+  BOOST_TEST(!contains(ended.output, "throwing"));
 }
 
 // A directory where rows.csv should go lets the check before the cases pass, and the write after them fail.

@@ -1,9 +1,7 @@
 #include <particulate/kinematics/central_force.hpp>
 
 #include <cmath>
-#include <limits>
 #include <numbers>
-#include <stdexcept>
 
 #include <Eigen/Geometry>
 
@@ -11,12 +9,7 @@
 
 namespace tests::central_force_test {
 
-using boost::test_tools::tolerance;
 using namespace particulate::kinematics;
-
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double eps = std::numeric_limits<double>::epsilon();
 
 // The monograph's exponents: equilibrium at 0.25/0.5 = 0.5, all powers there exact.
 const CentralForce exact{.alpha1 = 0.5, .alpha2 = 0.25, .beta1 = 1.0, .beta2 = 2.0};
@@ -37,14 +30,10 @@ BOOST_AUTO_TEST_CASE(accepts_the_defaults_and_zeros) {
 }
 
 BOOST_AUTO_TEST_CASE(names_the_constant_what_must_hold_and_what_was_given) {
-  BOOST_CHECK_EXCEPTION(validate(CentralForce{.alpha1 = -1.0}), std::invalid_argument,
-                        says("alpha1 must be finite and not negative, got -1"));
-  BOOST_CHECK_EXCEPTION(validate(CentralForce{.alpha2 = not_a_number}), std::invalid_argument,
-                        says("alpha2 must be finite and not negative, got nan"));
-  BOOST_CHECK_EXCEPTION(validate(CentralForce{.beta1 = infinity}), std::invalid_argument,
-                        says("beta1 must be finite and not negative, got inf"));
-  BOOST_CHECK_EXCEPTION(validate(CentralForce{.beta2 = -0.5}), std::invalid_argument,
-                        says("beta2 must be finite and not negative, got -0.5"));
+  CHECK_REFUSED(validate(CentralForce{.alpha1 = -1.0}), "alpha1 must be finite and not negative, got -1");
+  CHECK_REFUSED(validate(CentralForce{.alpha2 = not_a_number}), "alpha2 must be finite and not negative, got nan");
+  CHECK_REFUSED(validate(CentralForce{.beta1 = infinity}), "beta1 must be finite and not negative, got inf");
+  CHECK_REFUSED(validate(CentralForce{.beta2 = -0.5}), "beta2 must be finite and not negative, got -0.5");
 }
 
 BOOST_AUTO_TEST_SUITE_END()
@@ -130,8 +119,8 @@ BOOST_AUTO_TEST_CASE(does_not_depend_on_distance_for_exponents_of_zero) {
 // 1e-30^-13 overflows, but nothing repels here: C = d^-1.
 BOOST_AUTO_TEST_CASE(leaves_out_what_has_no_strength_even_where_its_power_overflows) {
   const CentralForce pull{.alpha1 = 1.0, .alpha2 = 0.0, .beta1 = 1.0, .beta2 = 13.0};
-  BOOST_TEST(strength(pull, 1e-30) == 1e30, boost::test_tools::tolerance(1e-15));
-  BOOST_TEST(normal_stiffness(pull, 1e-30) == -1e60, boost::test_tools::tolerance(1e-15));
+  BOOST_TEST(strength(pull, 1e-30) == 1e30, tolerance(1e-15));
+  BOOST_TEST(normal_stiffness(pull, 1e-30) == -1e60, tolerance(1e-15));
   BOOST_TEST(std::isfinite(potential(pull, 1e-30)));
 }
 
@@ -191,8 +180,7 @@ BOOST_AUTO_TEST_CASE(has_no_curl) {
 
 BOOST_AUTO_TEST_CASE(refuses_the_centre_itself) {
   const Eigen::Vector3d here(1.0, 2.0, -0.5);
-  BOOST_CHECK_EXCEPTION(force(exact, here, here), std::invalid_argument,
-                        says("r must lie apart from the centre, both are (1, 2, -0.5) m"));
+  CHECK_REFUSED(force(exact, here, here), "r must lie apart from the centre, both are (1, 2, -0.5) m");
 }
 
 BOOST_AUTO_TEST_SUITE_END()
@@ -278,20 +266,20 @@ BOOST_AUTO_TEST_CASE(balances_attraction_and_repulsion) {
 }
 
 BOOST_AUTO_TEST_CASE(refuses_a_law_that_balances_nowhere_or_everywhere) {
-  BOOST_CHECK_EXCEPTION(equilibrium_distance({.alpha1 = 1.0}), std::invalid_argument,
-                        says("needs alpha1 > 0, alpha2 > 0 and beta1 != beta2, got alpha1 = 1, alpha2 = 0"));
-  BOOST_CHECK_EXCEPTION(equilibrium_distance({.alpha2 = 1.0}), std::invalid_argument, says("got alpha1 = 0"));
+  CHECK_REFUSED(equilibrium_distance({.alpha1 = 1.0}),
+                "needs alpha1 > 0, alpha2 > 0 and beta1 != beta2, got alpha1 = 1, alpha2 = 0");
+  CHECK_REFUSED(equilibrium_distance({.alpha2 = 1.0}), "got alpha1 = 0");
   const CentralForce parallel{.alpha1 = 1.0, .alpha2 = 1.0, .beta1 = 2.0, .beta2 = 2.0};
-  BOOST_CHECK_EXCEPTION(equilibrium_distance(parallel), std::invalid_argument, says("beta1 = 2, beta2 = 2"));
-  BOOST_CHECK_EXCEPTION(equilibrium_distance({.alpha1 = not_a_number}), std::invalid_argument, says("got nan"));
+  CHECK_REFUSED(equilibrium_distance(parallel), "beta1 = 2, beta2 = 2");
+  CHECK_REFUSED(equilibrium_distance({.alpha1 = not_a_number}), "got nan");
 }
 
 // 1e10^(1/0.001) = 1e10000 and its inverse.
 BOOST_AUTO_TEST_CASE(refuses_a_distance_that_no_double_holds) {
   const CentralForce far{.alpha1 = 1.0, .alpha2 = 1e10, .beta1 = 1.0, .beta2 = 1.001};
   const CentralForce near{.alpha1 = 1e10, .alpha2 = 1.0, .beta1 = 1.0, .beta2 = 1.001};
-  BOOST_CHECK_EXCEPTION(equilibrium_distance(far), std::invalid_argument, says("must be representable, got inf m"));
-  BOOST_CHECK_EXCEPTION(equilibrium_distance(near), std::invalid_argument, says("must be representable, got 0 m"));
+  CHECK_REFUSED(equilibrium_distance(far), "must be representable, got inf m");
+  CHECK_REFUSED(equilibrium_distance(near), "must be representable, got 0 m");
 }
 
 BOOST_AUTO_TEST_SUITE_END()
@@ -307,7 +295,7 @@ BOOST_AUTO_TEST_CASE(says_whether_repulsion_is_the_steeper) {
 }
 
 BOOST_AUTO_TEST_CASE(refuses_a_law_without_equilibrium) {
-  BOOST_CHECK_EXCEPTION(is_stable({.alpha1 = 1.0}), std::invalid_argument, says("an equilibrium needs"));
+  CHECK_REFUSED(is_stable({.alpha1 = 1.0}), "an equilibrium needs");
 }
 
 BOOST_AUTO_TEST_SUITE_END()
@@ -332,13 +320,11 @@ BOOST_AUTO_TEST_CASE(follows_the_normal_stiffness) {
 
 BOOST_AUTO_TEST_CASE(refuses_what_does_not_oscillate) {
   const CentralForce turned{.alpha1 = 0.5, .alpha2 = 0.25, .beta1 = 2.0, .beta2 = 1.0};
-  BOOST_CHECK_EXCEPTION(small_oscillation_period(turned, 1.0, 1.0), std::invalid_argument,
-                        says("need a stable equilibrium, beta2 > beta1, got beta1 = 2, beta2 = 1"));
+  CHECK_REFUSED(small_oscillation_period(turned, 1.0, 1.0),
+                "need a stable equilibrium, beta2 > beta1, got beta1 = 2, beta2 = 1");
   for (const double m : {0.0, -1.0, infinity, not_a_number}) {
-    BOOST_CHECK_EXCEPTION(small_oscillation_period(exact, m, 1.0), std::invalid_argument,
-                          says("masses must be positive and finite, got"));
-    BOOST_CHECK_EXCEPTION(small_oscillation_period(exact, 1.0, m), std::invalid_argument,
-                          says("masses must be positive and finite, got"));
+    CHECK_REFUSED(small_oscillation_period(exact, m, 1.0), "masses must be positive and finite, got");
+    CHECK_REFUSED(small_oscillation_period(exact, 1.0, m), "masses must be positive and finite, got");
   }
 }
 

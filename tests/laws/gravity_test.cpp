@@ -1,8 +1,5 @@
 #include <particulate/laws/gravity.hpp>
 
-#include <limits>
-#include <stdexcept>
-
 #include <particulate/scenes/scene.hpp>
 
 #include "close.hpp"
@@ -32,13 +29,9 @@ BOOST_AUTO_TEST_CASE(accepts_any_finite_acceleration) {
 }
 
 BOOST_AUTO_TEST_CASE(says_what_was_given) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  const double not_a_number = std::numeric_limits<double>::quiet_NaN();
-  BOOST_CHECK_EXCEPTION(validate(Gravity{{0.0, 1.0, infinity}}), std::invalid_argument,
-                        says("gravity: g must be finite, got (0, 1, inf) m/s^2"));
-  BOOST_CHECK_EXCEPTION(validate(Gravity{{not_a_number, 0.0, 0.0}}), std::invalid_argument, says("got (nan, 0, 0)"));
-  BOOST_CHECK_EXCEPTION(Scene(two_particles(), Space{}, Gravity{{0.0, 1.0, infinity}}), std::invalid_argument,
-                        says("gravity: g must be finite"));
+  CHECK_REFUSED(validate(Gravity{{0.0, 1.0, infinity}}), "gravity: g must be finite, got (0, 1, inf) m/s^2");
+  CHECK_REFUSED(validate(Gravity{{not_a_number, 0.0, 0.0}}), "got (nan, 0, 0)");
+  CHECK_REFUSED(Scene(two_particles(), Space{}, Gravity{{0.0, 1.0, infinity}}), "gravity: g must be finite");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -6,14 +6,10 @@
 #include <cmath>
 #include <cstdio>
 #include <future>
-#include <limits>
-#include <numbers>
 #include <stdexcept>
-#include <string>
 #include <utility>
 #include <vector>
 
-#include <boost/test/unit_test.hpp>
 #include <particulate/kinematics/breathing.hpp>
 #include <particulate/laws/near_field.hpp>
 #include <particulate/reference/fixed_point.hpp>
@@ -23,17 +19,13 @@
 #include <particulate/schemes/runge_kutta.hpp>
 
 #include "close.hpp"
+#include "problems.hpp"
+#include "reference/solved.hpp"
 
 namespace tests::integrator_test {
 
 using namespace particulate::reference;
 using namespace particulate::schemes;
-
-constexpr double pi = std::numbers::pi;
-
-State one(double y, double t = 0.0) { return {.t = t, .y = Eigen::VectorXd::Constant(1, y)}; }
-
-bool holds(const std::string& text, const std::string& words) { return text.find(words) != std::string::npos; }
 
 bool equal(const State& a, const State& b) { return a.t == b.t && a.r == b.r && a.v == b.v && a.y == b.y; }
 
@@ -119,12 +111,8 @@ BOOST_AUTO_TEST_SUITE(integrate_)
 BOOST_AUTO_TEST_CASE(a_first_order_problem_meets_its_closed_form) {
   for (const Method& method : every_kind(1e-12, 1e-14)) {
     BOOST_TEST_CONTEXT("method " << method.index()) {
-      auto problem = swinging();
-      State state = one(2.0);
-      const Outcome out = integrate(problem, state, 4.0, method);
-      BOOST_TEST((out.status == Status::reached));
-      BOOST_TEST(out.reason == "");
-      BOOST_TEST(state.y[0] == 2.0 * std::exp(std::sin(4.0)), boost::test_tools::tolerance(1e-10));
+      const State state = solved(swinging(), one(2.0), 4.0, method);
+      BOOST_TEST(state.y[0] == 2.0 * std::exp(std::sin(4.0)), tolerance(1e-10));
     }
   }
 }
@@ -141,9 +129,7 @@ BOOST_AUTO_TEST_CASE(an_orbit_meets_keplers_equation_by_every_method) {
   for (const Method& method : methods) {
     const auto* const tabled = std::get_if<ExplicitRungeKutta>(&method);
     BOOST_TEST_CONTEXT((tabled ? name(tabled->table) : "Adams")) {
-      Kepler problem;
-      State state = orbit(0.0);
-      BOOST_TEST((integrate(problem, state, 3.0, method).status == Status::reached));
+      const State state = solved(Kepler{}, orbit(0.0), 3.0, method);
       BOOST_TEST(error(state) < (tabled && order(tabled->table) < 3 ? 1e-5 : 1e-9));
     }
   }
@@ -161,9 +147,7 @@ BOOST_AUTO_TEST_CASE(forces_that_depend_on_velocities_see_them) {
   const double r = std::exp(-0.1 * t) * (std::cos(w * t) + 0.1 / w * std::sin(w * t));
   const double v = -std::exp(-0.1 * t) / w * std::sin(w * t);
   for (const Method& method : every_kind(1e-12, 1e-14)) {
-    Damped problem;
-    State state{.t = 0.0, .r = Eigen::VectorXd::Constant(1, 1.0), .v = Eigen::VectorXd::Zero(1)};
-    BOOST_TEST((integrate(problem, state, t, method).status == Status::reached));
+    State state = solved(Damped{}, displaced(), t, method);
     // BDF takes many more steps, and their errors add up.
     const double tolerance = std::holds_alternative<Bdf>(method) ? 1e-9 : 1e-10;
     BOOST_TEST(close(Eigen::Vector2d(state.r[0], state.v[0]), Eigen::Vector2d(r, v), {.relative = tolerance}));
@@ -190,10 +174,7 @@ struct Carrying {
 BOOST_AUTO_TEST_CASE(motion_and_values_that_act_on_each_other_meet_their_closed_form) {
   const double t = 4.0;
   for (const Method& method : every_kind(1e-12, 1e-14)) {
-    Coupled problem;
-    State state{.r = Eigen::VectorXd::Ones(1), .v = Eigen::VectorXd::Zero(1), .y = Eigen::VectorXd::Ones(1)};
-    const Outcome out = integrate(problem, state, t, method);
-    BOOST_TEST((out.status == Status::reached), out.reason);
+    const State state = solved(Coupled{}, displaced(Eigen::VectorXd::Ones(1)), t, method);
     const Eigen::Vector3d exact(std::cos(t), -std::sin(t), std::exp(-t));
     BOOST_TEST(close(flat(state), exact, {.absolute = std::holds_alternative<Bdf>(method) ? 1e-9 : 1e-10}));
   }
@@ -201,12 +182,9 @@ BOOST_AUTO_TEST_CASE(motion_and_values_that_act_on_each_other_meet_their_closed_
 
 BOOST_AUTO_TEST_CASE(values_that_change_by_jumps_alone_are_carried_along) {
   for (const Method& method : every_kind(1e-12, 1e-14)) {
-    Carrying problem;
-    State state{.r = Eigen::VectorXd::Ones(1), .v = Eigen::VectorXd::Zero(1), .y = Eigen::Vector2d(4.0, -1e300)};
-    const Outcome out = integrate(problem, state, 1.0, method);
-    BOOST_TEST((out.status == Status::reached), out.reason);
+    const State state = solved(Carrying{}, displaced(Eigen::Vector2d(4.0, -1e300)), 1.0, method);
     BOOST_TEST(close(state.y, Eigen::Vector2d(4.0, -1e300), {}));
-    BOOST_TEST(state.r[0] == std::cos(2.0), boost::test_tools::tolerance(1e-9));
+    BOOST_TEST(state.r[0] == std::cos(2.0), tolerance(1e-9));
   }
 }
 
@@ -266,9 +244,7 @@ BOOST_AUTO_TEST_CASE(tighter_tolerances_give_smaller_errors) {
   for (std::size_t kind = 0; kind < every_kind(1e-6, 1e-6).size(); ++kind) {
     std::vector<double> errors;
     for (const double tolerance : {1e-5, 1e-7, 1e-9, 1e-11}) {
-      Kepler problem;
-      State state = orbit(0.0);
-      BOOST_TEST((integrate(problem, state, 3.0, every_kind(tolerance, tolerance)[kind]).status == Status::reached));
+      const State state = solved(Kepler{}, orbit(0.0), 3.0, every_kind(tolerance, tolerance)[kind]);
       errors.push_back(error(state));
     }
     BOOST_TEST_CONTEXT("method " << kind) {
@@ -333,10 +309,10 @@ BOOST_AUTO_TEST_CASE(lands_on_every_end_and_asks_for_nothing_beyond_it) {
     for (const double t_end : {0.1, 0.1 + 0.2, 1.0, pi, 1e3 / 3.0}) {
       const Outcome out = integrator.advance(state, t_end);
       BOOST_TEST((out.status == Status::reached));
-      BOOST_TEST(out.t == t_end, boost::test_tools::tolerance(0.0));
-      BOOST_TEST(state.t == t_end, boost::test_tools::tolerance(0.0));
+      BOOST_TEST(out.t == t_end, tolerance(0.0));
+      BOOST_TEST(state.t == t_end, tolerance(0.0));
       BOOST_TEST(problem.latest <= t_end * (1.0 + 1e-15));
-      BOOST_TEST(state.y[0] == std::exp(std::sin(t_end)), boost::test_tools::tolerance(1e-4));
+      BOOST_TEST(state.y[0] == std::exp(std::sin(t_end)), tolerance(1e-4));
     }
     const State there = state;
     const Outcome none = integrator.advance(state, state.t);
@@ -520,7 +496,7 @@ BOOST_AUTO_TEST_CASE(what_the_problem_throws_comes_out_at_once_and_the_state_sta
 
       problem.from = 2.0;
       BOOST_TEST((integrator.advance(state, 1.0).status == Status::reached));
-      BOOST_TEST(state.y[0] == std::exp(-1.0), boost::test_tools::tolerance(1e-6));
+      BOOST_TEST(state.y[0] == std::exp(-1.0), tolerance(1e-6));
     }
   }
 }
@@ -565,17 +541,17 @@ BOOST_AUTO_TEST_CASE(where_no_step_leads_on_the_run_fails_at_the_state_it_reache
     Integrator integrator(problem, state, method);
     const Outcome out = integrator.advance(state, 2.0);
     BOOST_TEST((out.status == Status::failed));
-    BOOST_TEST(holds(out.reason, "the problem had no finite value at t = "), out.reason);
-    BOOST_TEST(holds(out.reason, "stop before this time"), out.reason);
-    BOOST_TEST(out.t == state.t, boost::test_tools::tolerance(0.0));
-    BOOST_TEST(state.t == 1.0, boost::test_tools::tolerance(1e-6));
-    BOOST_TEST(state.y[0] == state.t, boost::test_tools::tolerance(1e-12));
+    BOOST_TEST(contains(out.reason, "the problem had no finite value at t = "));
+    BOOST_TEST(contains(out.reason, "stop before this time"));
+    BOOST_TEST(out.t == state.t, tolerance(0.0));
+    BOOST_TEST(state.t == 1.0, tolerance(1e-6));
+    BOOST_TEST(state.y[0] == state.t, tolerance(1e-12));
     BOOST_TEST(out.rejections > 0);
 
     // The integrator is none the worse for it.
     state = one(0.0);
     BOOST_TEST((integrator.advance(state, 0.5).status == Status::reached));
-    BOOST_TEST(state.y[0] == 0.5, boost::test_tools::tolerance(1e-12));
+    BOOST_TEST(state.y[0] == 0.5, tolerance(1e-12));
   }
 }
 
@@ -585,11 +561,11 @@ BOOST_AUTO_TEST_CASE(a_fixed_step_cannot_shrink) {
   const Outcome out = integrate(problem, state, 2.0, ExplicitRungeKutta{.fixed_step = 0.3});
   BOOST_TEST((out.status == Status::failed));
   BOOST_TEST(out.steps == 3);
-  BOOST_TEST(out.t == 0.9, boost::test_tools::tolerance(1e-14));
-  BOOST_TEST(state.t == out.t, boost::test_tools::tolerance(0.0));
-  BOOST_TEST(state.y[0] == 0.9, boost::test_tools::tolerance(1e-14));
-  BOOST_TEST(holds(out.reason, "ARK_UNREC_RHSFUNC_ERR"), out.reason);
-  BOOST_TEST(holds(out.reason, "take smaller steps"), out.reason);
+  BOOST_TEST(out.t == 0.9, tolerance(1e-14));
+  BOOST_TEST(state.t == out.t, tolerance(0.0));
+  BOOST_TEST(state.y[0] == 0.9, tolerance(1e-14));
+  BOOST_TEST(contains(out.reason, "ARK_UNREC_RHSFUNC_ERR"));
+  BOOST_TEST(contains(out.reason, "take smaller steps"));
 }
 
 BOOST_AUTO_TEST_CASE(a_start_without_one_fails_there) {
@@ -602,8 +578,8 @@ BOOST_AUTO_TEST_CASE(a_start_without_one_fails_there) {
       BOOST_TEST(out.steps == 0);
       BOOST_TEST(out.evaluations == 1);
       BOOST_TEST(equal(state, one(-1.0)));
-      BOOST_TEST(holds(out.reason, "at t = 0 s: "), out.reason);
-      BOOST_TEST(holds(out.reason, "the problem had no finite value at t = 0 s"), out.reason);
+      BOOST_TEST(contains(out.reason, "at t = 0 s: "));
+      BOOST_TEST(contains(out.reason, "the problem had no finite value at t = 0 s"));
     }
   }
 }
@@ -619,10 +595,10 @@ BOOST_AUTO_TEST_CASE(a_solution_that_ends_before_t_end_is_no_answer) {
     State state = one(1.0);
     const Outcome out = integrate(problem, state, 2.0, method);
     BOOST_TEST((out.status == Status::failed));
-    BOOST_TEST(out.t == 1.0, boost::test_tools::tolerance(1e-3));
-    BOOST_TEST(state.t == out.t, boost::test_tools::tolerance(0.0));
+    BOOST_TEST(out.t == 1.0, tolerance(1e-3));
+    BOOST_TEST(state.t == out.t, tolerance(0.0));
     BOOST_TEST(std::isfinite(state.y[0]));
-    BOOST_TEST(holds(out.reason, "too small to change the time"), out.reason);
+    BOOST_TEST(contains(out.reason, "too small to change the time"));
   }
 }
 
@@ -633,9 +609,9 @@ BOOST_AUTO_TEST_CASE(a_step_to_infinity_is_not_taken) {
   const Outcome out =
       integrate(problem, state, 3.0, ExplicitRungeKutta{.table = Table::heun_euler_2_1_2, .fixed_step = 1.0});
   BOOST_TEST((out.status == Status::failed));
-  BOOST_TEST(holds(out.reason, "not finite"), out.reason);
-  BOOST_TEST(out.t == 1.0, boost::test_tools::tolerance(0.0));
-  BOOST_TEST(state.y[0] == 1e308, boost::test_tools::tolerance(1e-14));
+  BOOST_TEST(contains(out.reason, "not finite"));
+  BOOST_TEST(out.t == 1.0, tolerance(0.0));
+  BOOST_TEST(state.y[0] == 1e308, tolerance(1e-14));
 }
 
 BOOST_AUTO_TEST_CASE(a_run_that_takes_too_many_steps_stops_and_can_go_on) {
@@ -648,7 +624,7 @@ BOOST_AUTO_TEST_CASE(a_run_that_takes_too_many_steps_stops_and_can_go_on) {
     const Outcome cut = integrator.advance(state, 3.0);
     BOOST_TEST((cut.status == Status::failed));
     BOOST_TEST(cut.steps == 7);
-    BOOST_TEST(holds(cut.reason, "max_steps = 7 were not enough to get beyond t = "), cut.reason);
+    BOOST_TEST(contains(cut.reason, "max_steps = 7 were not enough to get beyond t = "));
     BOOST_TEST((cut.t == state.t && state.t < 3.0));
     BOOST_TEST(error(state) < 1e-6);
 
@@ -668,7 +644,7 @@ BOOST_AUTO_TEST_CASE(more_digits_than_a_double_has_are_refused_with_the_reason) 
     State state = one(1.0);
     const Outcome out = integrate(problem, state, 1.0, method);
     BOOST_TEST((out.status == Status::failed));
-    BOOST_TEST(holds(out.reason, "_TOO_MUCH_ACC: the tolerances ask for more digits than a double has"), out.reason);
+    BOOST_TEST(contains(out.reason, "_TOO_MUCH_ACC: the tolerances ask for more digits than a double has"));
     BOOST_TEST(equal(state, one(1.0)));
   }
 }
@@ -679,7 +655,7 @@ BOOST_AUTO_TEST_CASE(an_end_within_rounding_of_the_start_is_refused) {
     State state = one(1.0, 3.0);
     const Outcome out = integrate(problem, state, std::nextafter(3.0, 4.0), method);
     BOOST_TEST((out.status == Status::failed));
-    BOOST_TEST(holds(out.reason, "lies within rounding of the state's time 3 s; choose an end more than"), out.reason);
+    BOOST_TEST(contains(out.reason, "lies within rounding of the state's time 3 s; choose an end more than"));
   }
 }
 
@@ -727,26 +703,22 @@ BOOST_AUTO_TEST_SUITE(mistakes)
 BOOST_AUTO_TEST_CASE(a_bad_setting_is_refused_where_it_enters) {
   auto problem = swinging();
   State state = one(1.0);
-  BOOST_CHECK_EXCEPTION(Integrator(problem, state, Adams{.relative = 1e-17}), std::invalid_argument, says("got 1e-17"));
-  BOOST_CHECK_EXCEPTION((void)integrate(problem, state, 1.0, ExplicitRungeKutta{.fixed_step = -1.0}),
-                        std::invalid_argument, says("fixed_step must be positive and finite"));
+  CHECK_REFUSED(Integrator(problem, state, Adams{.relative = 1e-17}), "got 1e-17");
+  CHECK_REFUSED(integrate(problem, state, 1.0, ExplicitRungeKutta{.fixed_step = -1.0}),
+                "fixed_step must be positive and finite");
 }
 
 BOOST_AUTO_TEST_CASE(a_bad_start_or_end_is_refused) {
-  const double nan = std::numeric_limits<double>::quiet_NaN();
   auto problem = swinging();
   Kepler kepler;
   State state = one(1.0, 2.0);
   Integrator integrator(problem, state, Adams{});
-  BOOST_CHECK_EXCEPTION(Integrator(problem, one(nan), Adams{}), std::invalid_argument,
-                        says("values must start finite, got nan"));
-  BOOST_CHECK_EXCEPTION((void)integrator.advance(state, 1.0), std::invalid_argument,
-                        says("not before the start at 2 s, got 1 s"));
-  BOOST_CHECK_EXCEPTION((void)integrator.advance(state, nan), std::invalid_argument, says("got nan s"));
+  CHECK_REFUSED(Integrator(problem, one(not_a_number), Adams{}), "values must start finite, got nan");
+  CHECK_REFUSED(integrator.advance(state, 1.0), "not before the start at 2 s, got 1 s");
+  CHECK_REFUSED(integrator.advance(state, not_a_number), "got nan s");
   State uneven = orbit(0.0);
   uneven.v.conservativeResize(1);
-  BOOST_CHECK_EXCEPTION(Integrator(kepler, uneven, Adams{}), std::invalid_argument,
-                        says("positions and velocities must have one length, got 2 and 1"));
+  CHECK_REFUSED(Integrator(kepler, uneven, Adams{}), "positions and velocities must have one length, got 2 and 1");
 }
 
 BOOST_AUTO_TEST_CASE(a_part_of_the_state_that_the_problem_does_not_have_is_refused) {
@@ -754,18 +726,16 @@ BOOST_AUTO_TEST_CASE(a_part_of_the_state_that_the_problem_does_not_have_is_refus
   Kepler kepler;
   State both = orbit(0.0);
   both.y = Eigen::VectorXd::Ones(1);
-  BOOST_CHECK_EXCEPTION(Integrator(problem, both, Adams{}), std::invalid_argument,
-                        says("a rate of values alone, so the state must have no places, got 2"));
-  BOOST_CHECK_EXCEPTION(Integrator(kepler, both, Adams{}), std::invalid_argument,
-                        says("no rate for values, so the state must have none, got 1"));
+  CHECK_REFUSED(Integrator(problem, both, Adams{}), "a rate of values alone, so the state must have no places, got 2");
+  CHECK_REFUSED(Integrator(kepler, both, Adams{}), "no rate for values, so the state must have none, got 1");
 }
 
 BOOST_AUTO_TEST_CASE(a_state_that_changed_its_length_is_refused) {
   auto problem = swinging();
   Integrator integrator(problem, one(1.0), Adams{});
   State longer{.t = 0.0, .y = Eigen::VectorXd::Ones(2)};
-  BOOST_CHECK_EXCEPTION((void)integrator.advance(longer, 1.0), std::invalid_argument,
-                        says("the state must keep the 1 unknowns that the integrator was made for, got 2"));
+  CHECK_REFUSED(integrator.advance(longer, 1.0),
+                "the state must keep the 1 unknowns that the integrator was made for, got 2");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

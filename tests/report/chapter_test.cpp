@@ -5,10 +5,9 @@
 #include <sstream>
 #include <stdexcept>
 
-#include <boost/test/unit_test.hpp>
-
 #include <particulate/report/files.hpp>
 
+#include "says.hpp"
 #include "scratch_folder.hpp"
 
 namespace tests::chapter_test {
@@ -91,7 +90,7 @@ BOOST_AUTO_TEST_CASE(fails_if_nothing_is_claimed) {
 BOOST_AUTO_TEST_CASE(writes_nothing_after_help_and_refusals) {
   const Ran helped({"--help"}), wrong({"--x", "much"}), invalid({"--x", "-1"});
   BOOST_TEST(helped.status == 0);
-  BOOST_TEST(helped.printed.str().find("--y NUMBER") != std::string::npos);
+  BOOST_TEST(contains(helped.printed.str(), "--y NUMBER"));
   BOOST_TEST(wrong.status == 2);
   BOOST_TEST(wrong.refused.str().starts_with("ch99: --x must be a number"));
   BOOST_TEST(invalid.status == 2);

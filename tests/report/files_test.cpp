@@ -7,8 +7,6 @@
 #include <sys/resource.h>
 #include <sys/stat.h>
 
-#include <boost/test/unit_test.hpp>
-
 #include "says.hpp"
 #include "scratch_folder.hpp"
 

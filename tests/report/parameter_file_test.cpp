@@ -2,8 +2,6 @@
 
 #include <stdexcept>
 
-#include <boost/test/unit_test.hpp>
-
 #include <particulate/report/files.hpp>
 
 #include "says.hpp"

@@ -5,8 +5,6 @@
 #include <string>
 #include <vector>
 
-#include <boost/test/unit_test.hpp>
-
 #include "says.hpp"
 
 namespace tests::progress_test {
@@ -72,7 +70,7 @@ BOOST_AUTO_TEST_CASE(never_goes_back_nor_beyond_the_end) {
   watched.time = 102.0, loop.at(2.0);
   for (const double done : {1.0, -1.0, std::numeric_limits<double>::quiet_NaN()}) {
     watched.time += 1.0, loop.at(done);
-    BOOST_TEST(watched.printed.back().find(" 50 %") != std::string::npos);
+    BOOST_TEST(contains(watched.printed.back(), " 50 %"));
   }
   watched.time += 1.0, loop.at(9.0);
   BOOST_TEST(watched.printed.back() == clear_line + "loop 100 %, 0 s left");
@@ -102,7 +100,7 @@ BOOST_AUTO_TEST_CASE(wipes_its_line_when_it_ends_and_only_if_there_is_one) {
 }
 
 BOOST_AUTO_TEST_CASE(refuses_a_total_of_nothing) {
-  BOOST_CHECK_EXCEPTION(Progress("loop", 0.0), std::invalid_argument, says("the total must be positive, got 0"));
+  CHECK_REFUSED(Progress("loop", 0.0), "the total must be positive, got 0");
   BOOST_CHECK_THROW(Progress("loop", std::numeric_limits<double>::quiet_NaN()), std::invalid_argument);
 }
 

@@ -1,9 +1,6 @@
 #include <particulate/report/range.hpp>
 
 #include <limits>
-#include <stdexcept>
-
-#include <boost/test/unit_test.hpp>
 
 #include "says.hpp"
 
@@ -61,9 +58,9 @@ BOOST_AUTO_TEST_CASE(says_what_must_hold) {
 }
 
 BOOST_AUTO_TEST_CASE(an_empty_range_cannot_be_made) {
-  BOOST_CHECK_EXCEPTION(between(1, 0), std::invalid_argument, says("must not be above the upper one, got 1 and 0"));
-  BOOST_CHECK_EXCEPTION(between(nan_, 0), std::invalid_argument, says("got nan and 0"));
-  BOOST_CHECK_EXCEPTION(one_of({}), std::invalid_argument, says("at least one choice"));
+  CHECK_REFUSED(between(1, 0), "must not be above the upper one, got 1 and 0");
+  CHECK_REFUSED(between(nan_, 0), "got nan and 0");
+  CHECK_REFUSED(one_of({}), "at least one choice");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

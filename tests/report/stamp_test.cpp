@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <cctype>
 
-#include <boost/test/unit_test.hpp>
-
 #include <particulate/report/files.hpp>
 
+#include "says.hpp"
 #include "scratch_folder.hpp"
 
 namespace tests::stamp_test {
@@ -55,7 +54,7 @@ BOOST_AUTO_TEST_CASE(writes_every_field) {
 BOOST_AUTO_TEST_CASE(fits_one_line) {
   const std::string line = one_line(make_stamp("o", 1, "baseline"));
   BOOST_TEST(line.find('\n') == std::string::npos);
-  BOOST_TEST(line.find("kernel baseline, seed 1") != std::string::npos);
+  BOOST_TEST(contains(line, "kernel baseline, seed 1"));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

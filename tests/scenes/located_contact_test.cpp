@@ -1,7 +1,6 @@
 #include <particulate/contact/located_contact.hpp>
 
 #include <cmath>
-#include <stdexcept>
 #include <vector>
 
 #include <particulate/laws/gravity.hpp>
@@ -11,11 +10,11 @@
 #include <particulate/schemes/integrate.hpp>
 
 #include "close.hpp"
+#include "problems.hpp"
 #include "schemes/exact_fall.hpp"
 
 namespace tests::located_contact_test {
 
-using boost::test_tools::tolerance;
 using namespace particulate::contact;
 using namespace particulate::kinematics;
 using namespace particulate::laws;
@@ -52,16 +51,14 @@ const double fall = std::sqrt(0.8 / 9.81);
 template <class S>
 Vectors velocities(const S& scene, double t_end, double dt) {
   State state = start(scene);
-  ExactFall scheme;
-  FixedStep control{.step = dt};
-  BOOST_TEST((integrate(scene, state, t_end, scheme, control).status == Status::reached));
+  BOOST_TEST((run(scene, state, t_end, ExactFall(), FixedStep{.step = dt}).status == Status::reached));
   return state.v.reshaped(state.v.size() / 3, 3);
 }
 
 BOOST_AUTO_TEST_SUITE(located_contact)
 
 BOOST_AUTO_TEST_CASE(is_checked_where_it_enters_a_scene) {
-  BOOST_CHECK_EXCEPTION(dropped(1.5), std::invalid_argument, says("e must lie in [0, 1], got 1.5"));
+  CHECK_REFUSED(dropped(1.5), "e must lie in [0, 1], got 1.5");
 }
 
 // Impact k at fall (1 + 2 (e + ... + e^k)), with e^k of the first speed; however long the steps are.
@@ -97,9 +94,7 @@ BOOST_AUTO_TEST_CASE(ends_where_the_impacts_of_a_bouncing_ball_accumulate) {
   for (const double e : {0.0, 0.5, 0.9}) {
     const Bouncing scene = dropped(e);
     State ball = start(scene);
-    ExactFall scheme;
-    FixedStep control{.step = 0.1};
-    const Outcome outcome = integrate(scene, ball, 100.0, scheme, control);
+    const Outcome outcome = run(scene, ball, 100.0, ExactFall(), FixedStep{.step = 0.1});
     BOOST_TEST((outcome.status == Status::failed));
     BOOST_TEST((outcome.failure == Failure::accumulating));
     BOOST_TEST(outcome.accumulation == fall * (1.0 + e) / (1.0 - e), tolerance(1e-11));
@@ -111,9 +106,7 @@ BOOST_AUTO_TEST_CASE(ends_where_the_impacts_of_a_bouncing_ball_accumulate) {
 BOOST_AUTO_TEST_CASE(keeps_an_elastic_ball_bouncing) {
   const Bouncing scene = dropped(1.0);
   State ball = start(scene);
-  ExactFall scheme;
-  FixedStep control{.step = 0.1};
-  const Outcome outcome = integrate(scene, ball, 20.0 * fall, scheme, control);
+  const Outcome outcome = run(scene, ball, 20.0 * fall, ExactFall(), FixedStep{.step = 0.1});
   BOOST_TEST(outcome.impacts == 10);
   BOOST_TEST(std::abs(ball.r[2] - 0.45) < 1e-13);
   BOOST_TEST(std::abs(ball.v[2]) < 1e-12);
@@ -124,9 +117,7 @@ BOOST_AUTO_TEST_CASE(takes_impacts_of_one_time_together) {
   const Scene scene(spheres(Vectors{{0.0, 0.0, 0.45}, {1.0, 0.0, 0.45}, {2.0, 0.0, 0.5}}, Vectors::Zero(3, 3), 0.05),
                     ground, Gravity{}, LocatedContact{});
   State balls = start(scene);
-  ExactFall scheme;
-  FixedStep control{.step = 1.0};
-  const Outcome outcome = integrate(scene, balls, 0.3, scheme, control);
+  const Outcome outcome = run(scene, balls, 0.3, ExactFall(), FixedStep{.step = 1.0});
   BOOST_TEST(outcome.impacts == 2);
   BOOST_TEST(outcome.steps == 2);
 }
@@ -147,9 +138,7 @@ BOOST_AUTO_TEST_CASE(lets_a_cradle_swing) {
   v(0, 0) = 2.0;
   const Scene scene(spheres(r, v, 0.5), Space{}, LocatedContact{});
   State row = start(scene);
-  ExactFall scheme;
-  FixedStep control{.step = 3.0};
-  BOOST_TEST(integrate(scene, row, 2.0, scheme, control).impacts == 3);
+  BOOST_TEST(run(scene, row, 2.0, ExactFall(), FixedStep{.step = 3.0}).impacts == 3);
   BOOST_TEST(row.v[3] == 2.0);
   BOOST_TEST(row.r[3] == 6.0, tolerance(1e-15));  // 1.5 s at 2 m/s
   BOOST_TEST(row.r[0] == 0.0, tolerance(1e-15));
@@ -174,9 +163,7 @@ BOOST_AUTO_TEST_CASE(is_unsettled_where_forces_have_no_value) {
   const Scene scene(spheres(Vectors{{0.0, 0.0, 1.2}}, Vectors{{0.0, 0.0, -1.0}}, 1.0), ground, Above{},
                     LocatedContact{});
   State ball = start(scene);
-  ExactFall scheme;
-  FixedStep control{.step = 0.5};
-  const Outcome outcome = integrate(scene, ball, 2.0, scheme, control);
+  const Outcome outcome = run(scene, ball, 2.0, ExactFall(), FixedStep{.step = 0.5});
   BOOST_TEST((outcome.failure == Failure::unsettled_jump));
   BOOST_TEST(outcome.reason == "the forces have no value where bodies touch");
   BOOST_TEST(ball.t == 0.0);
@@ -186,12 +173,10 @@ BOOST_AUTO_TEST_CASE(is_unsettled_where_forces_have_no_value) {
 BOOST_AUTO_TEST_CASE(goes_with_events) {
   const Bouncing scene = dropped(1.0);
   State ball = start(scene);
-  ExactFall scheme;
-  FixedStep control{.step = 0.5};
   Watch watch({.functions = [](const State& at, Out g) { g[0] = at.v[2]; },
                .directions = {Direction::falling},
                .actions = {particulate::schemes::Action::record}});
-  const Outcome outcome = integrate(scene, ball, 5.5 * fall, scheme, control, watch);
+  const Outcome outcome = run(scene, ball, 5.5 * fall, ExactFall(), FixedStep{.step = 0.5}, watch);
   BOOST_TEST(outcome.impacts == 3);
   BOOST_REQUIRE(watch.hits().size() == 2U);
   BOOST_TEST(watch.hits()[0].t == 2.0 * fall, tolerance(1e-14));
@@ -201,9 +186,7 @@ BOOST_AUTO_TEST_CASE(goes_with_events) {
 BOOST_AUTO_TEST_CASE(does_nothing_without_particles) {
   const Scene scene(spheres(Vectors(0, 3), Vectors(0, 3), 1.0), ground, Gravity{}, LocatedContact{});
   State nobody = start(scene);
-  ExactFall scheme;
-  FixedStep control{.step = 0.5};
-  BOOST_TEST((integrate(scene, nobody, 2.0, scheme, control).status == Status::reached));
+  BOOST_TEST((run(scene, nobody, 2.0, ExactFall(), FixedStep{.step = 0.5}).status == Status::reached));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,7 +1,6 @@
 #include <particulate/scenes/scene.hpp>
 
 #include <algorithm>
-#include <limits>
 #include <stdexcept>
 
 #include <particulate/contact/contact.hpp>
@@ -13,10 +12,10 @@
 #include <particulate/schemes/verlet.hpp>
 
 #include "close.hpp"
+#include "problems.hpp"
 
 namespace tests::scene_test {
 
-using boost::test_tools::tolerance;
 using namespace particulate::contact;
 using namespace particulate::kinematics;
 using namespace particulate::laws;
@@ -142,11 +141,10 @@ BOOST_AUTO_TEST_SUITE(Scene_)
 BOOST_AUTO_TEST_CASE(checks_its_particles_and_its_laws) {
   Particles bad = two_particles();
   bad.mass[1] = -1.0;
-  BOOST_CHECK_EXCEPTION(Scene(bad, Space{}, Weight{1.0}), std::invalid_argument, says("masses must be positive"));
-  BOOST_CHECK_EXCEPTION(Scene(two_particles(), Space{}, Drag{1.0}, Weight{-1.0}), std::invalid_argument,
-                        says("weight: g must not be negative"));
-  BOOST_CHECK_EXCEPTION(Scene(two_particles(), Space{}, Weight{1.0}, NearField{.beta1 = -1.0}), std::invalid_argument,
-                        says("beta1 must be finite and not negative"));
+  CHECK_REFUSED(Scene(bad, Space{}, Weight{1.0}), "masses must be positive");
+  CHECK_REFUSED(Scene(two_particles(), Space{}, Drag{1.0}, Weight{-1.0}), "weight: g must not be negative");
+  CHECK_REFUSED(Scene(two_particles(), Space{}, Weight{1.0}, NearField{.beta1 = -1.0}),
+                "beta1 must be finite and not negative");
   BOOST_CHECK_NO_THROW(Scene(two_particles(), Space{}, Drag{-1.0}));  // a law without validate() is taken as it is
 }
 
@@ -173,7 +171,7 @@ BOOST_AUTO_TEST_CASE(gives_velocities_to_the_law_that_asks_and_places_to_the_oth
 
 BOOST_AUTO_TEST_CASE(starts_its_sum_from_nothing) {
   const Scene scene(two_particles(), Space{}, Weight{2.0});
-  Eigen::VectorXd f = Eigen::VectorXd::Constant(6, std::numeric_limits<double>::quiet_NaN());
+  Eigen::VectorXd f = Eigen::VectorXd::Constant(6, not_a_number);
   BOOST_TEST(scene.total_force(start(scene), f));
   BOOST_TEST(f.allFinite());
 }
@@ -220,17 +218,16 @@ BOOST_AUTO_TEST_CASE(refuses_vectors_of_another_length) {
   const Scene scene(two_particles(), Space{}, Weight{1.0});
   const Eigen::VectorXd right = Eigen::VectorXd::Zero(6), wrong = Eigen::VectorXd::Zero(5);
   Eigen::VectorXd a(6), short_a(3);
-  BOOST_CHECK_EXCEPTION((void)scene.acceleration(0.0, wrong, a), std::invalid_argument,
-                        says("vectors of 2 particles must hold 6 numbers, got 5"));
-  BOOST_CHECK_EXCEPTION((void)scene.acceleration(0.0, right, short_a), std::invalid_argument, says("got 3"));
-  BOOST_CHECK_EXCEPTION((void)scene.distance(right, wrong), std::invalid_argument, says("got 5"));
+  CHECK_REFUSED(scene.acceleration(0.0, wrong, a), "vectors of 2 particles must hold 6 numbers, got 5");
+  CHECK_REFUSED(scene.acceleration(0.0, right, short_a), "got 3");
+  CHECK_REFUSED(scene.distance(right, wrong), "got 5");
 }
 
 // ln 2 - 0.25 per unit mass squared, and g (2 3 + 3 3) = 30.
 BOOST_AUTO_TEST_CASE(adds_the_potential_energies_of_its_laws) {
   const Scene scene(two_particles(), Space{}, monograph, Weight{2.0});
   const double ln2 = 0.693147180559945309;
-  BOOST_TEST(scene.potential_energy(start(scene)) == 6.0 * (ln2 - 0.25) + 30.0, boost::test_tools::tolerance(1e-15));
+  BOOST_TEST(scene.potential_energy(start(scene)) == 6.0 * (ln2 - 0.25) + 30.0, tolerance(1e-15));
   const Scene free(two_particles(), Space{});
   BOOST_TEST(free.potential_energy(start(free)) == 0.0);
 }
@@ -274,25 +271,22 @@ BOOST_AUTO_TEST_CASE(moves_alike_to_the_last_bit_when_scaled_by_powers_of_two) {
 
 // Scenes keep working memory from call to call: a copy has its own, so that steps of one do not show in the other.
 BOOST_AUTO_TEST_CASE(copied_runs_to_the_same_bits_whatever_the_original_does_meanwhile) {
-  const auto run = [](const auto& scene, State& state, double t_end) {
-    VelocityVerlet scheme;
-    FixedStep control{.step = 0.01};
-    BOOST_TEST((integrate(scene, state, t_end, scheme, control).status == Status::reached));
+  const auto advance = [](const auto& scene, State& state, double t_end) {
+    BOOST_TEST((run(scene, state, t_end, VelocityVerlet(), FixedStep{.step = 0.01}).status == Status::reached));
   };
   const Scene scene(cradle(), Space{}, NearField{.alpha1 = 0.1, .alpha2 = 0.2}, Contact{});
   State whole = start(scene);
-  run(scene, whole, 0.4);
+  advance(scene, whole, 0.4);
   const Scene copy = scene;
   State by_scene = start(scene), by_copy = start(copy);
   for (const double t_end : {0.2, 0.4}) {
-    run(scene, by_scene, t_end);
-    run(copy, by_copy, t_end);
+    advance(scene, by_scene, t_end);
+    advance(copy, by_copy, t_end);
   }
-  run(scene, by_scene, 0.5);
-  run(copy, by_copy, 0.5);
-  run(scene, whole, 0.5);
-  BOOST_TEST(close(by_copy.r, by_scene.r, {}));
-  BOOST_TEST(close(by_copy.v, by_scene.v, {}));
+  advance(scene, by_scene, 0.5);
+  advance(copy, by_copy, 0.5);
+  advance(scene, whole, 0.5);
+  BOOST_TEST(close(flat(by_copy), flat(by_scene), {}));
   BOOST_TEST(close(by_copy.r, whole.r, {}));
   BOOST_TEST(!close(by_copy.r, start(scene).r, {.absolute = 0.01}));
 }
@@ -332,7 +326,7 @@ BOOST_AUTO_TEST_CASE(particles_are_not_accelerated_but_pull_with_their_mass) {
 BOOST_AUTO_TEST_CASE(flags_are_checked) {
   Particles held = two_particles();
   held.immovable = {true};
-  BOOST_CHECK_EXCEPTION(Scene(held, Space{}), std::invalid_argument, says("immovable must be empty or hold one entry"));
+  CHECK_REFUSED(Scene(held, Space{}), "immovable must be empty or hold one entry");
 }
 
 // The second sphere overlaps an immovable first: at e = 0.5 it turns, and takes all the change of energy.
@@ -356,8 +350,8 @@ BOOST_AUTO_TEST_SUITE(Space_)
 
 BOOST_AUTO_TEST_CASE(domain_is_checked) {
   const Space crooked{{Wall{.normal = {0.0, 0.0, 2.0}}}};
-  BOOST_CHECK_EXCEPTION(Scene(ball(1.0, {0.0, 0.0, 0.0}), crooked, Gravity{}), std::invalid_argument,
-                        says("wall 0: its normal must be a unit vector, got (0, 0, 2) of length 2"));
+  CHECK_REFUSED(Scene(ball(1.0, {0.0, 0.0, 0.0}), crooked, Gravity{}),
+                "wall 0: its normal must be a unit vector, got (0, 0, 2) of length 2");
 }
 
 BOOST_AUTO_TEST_CASE(domain_is_not_felt_by_near_fields) {
@@ -372,10 +366,9 @@ BOOST_AUTO_TEST_SUITE_END()
 BOOST_AUTO_TEST_SUITE(jump_)
 
 BOOST_AUTO_TEST_CASE(checks_its_law) {
-  BOOST_CHECK_EXCEPTION(Scene(two_particles(), Space{}, Contact{.restitution = ConstantRestitution{-0.5}}),
-                        std::invalid_argument, says("e must lie in [0, 1], got -0.5"));
-  BOOST_CHECK_EXCEPTION(Scene(two_particles(), Space{}, Contact{.gamma = 2.0}), std::invalid_argument,
-                        says("gamma must lie between 0 and 1, got 2"));
+  CHECK_REFUSED(Scene(two_particles(), Space{}, Contact{.restitution = ConstantRestitution{-0.5}}),
+                "e must lie in [0, 1], got -0.5");
+  CHECK_REFUSED(Scene(two_particles(), Space{}, Contact{.gamma = 2.0}), "gamma must lie between 0 and 1, got 2");
 }
 
 // The normal part of (1, 0, -2) turns at e = 0.5; a position does not change.
@@ -482,7 +475,7 @@ BOOST_AUTO_TEST_CASE(refuses_vectors_of_another_length) {
   const Scene scene(two_particles(), Space{}, Contact{});
   State state = start(scene);
   state.v.resize(3);
-  BOOST_CHECK_EXCEPTION((void)scene.jump(state, 0.1), std::invalid_argument, says("must hold 6 numbers, got 3"));
+  CHECK_REFUSED(scene.jump(state, 0.1), "must hold 6 numbers, got 3");
 }
 
 BOOST_AUTO_TEST_CASE(does_nothing_without_particles) {
@@ -500,9 +493,7 @@ BOOST_AUTO_TEST_CASE(lets_a_cradle_swing) {
   for (const Resolution order : {Resolution::sequential, Resolution::summed}) {
     const Scene scene(cradle(), Space{}, Contact<>{.resolution = order});
     State state = start(scene);
-    VelocityVerlet scheme;
-    FixedStep control{.step = 0.01};
-    const Outcome outcome = integrate(scene, state, 0.1, scheme, control);
+    const Outcome outcome = run(scene, state, 0.1, VelocityVerlet(), FixedStep{.step = 0.01});
     BOOST_TEST((outcome.status == Status::reached));
     BOOST_TEST(outcome.impacts == 4);
     BOOST_TEST(outcome.energy_change == 0.0);
@@ -518,9 +509,7 @@ BOOST_AUTO_TEST_CASE(lets_a_cradle_swing) {
 BOOST_AUTO_TEST_CASE(reports_impacts_overlap_and_energy) {
   const Scene scene(ball(1.0, {0.0, 0.0, -4.0}), floor_at_zero, Contact{.restitution = ConstantRestitution{0.5}});
   State state = start(scene);
-  VelocityVerlet scheme;
-  FixedStep control{.step = 0.0625};
-  const Outcome outcome = integrate(scene, state, 0.5, scheme, control);
+  const Outcome outcome = run(scene, state, 0.5, VelocityVerlet(), FixedStep{.step = 0.0625});
   BOOST_TEST(outcome.impacts == 1);
   BOOST_TEST(outcome.energy_change == 4.0 - 16.0);
   BOOST_TEST(outcome.overlap == 0.0);
@@ -531,11 +520,9 @@ BOOST_AUTO_TEST_CASE(reports_impacts_overlap_and_energy) {
 // makes 2.25 of them, and 1.5 m/s.
 BOOST_AUTO_TEST_CASE(reports_what_each_law_that_jumps_did) {
   const Contact contact{.restitution = ConstantRestitution{0.5}};
-  const auto run = [](const auto& scene) {
+  const auto outcome_of = [](const auto& scene) {
     State state = start(scene);
-    VelocityVerlet scheme;
-    FixedStep control{.step = 0.0625};
-    const Outcome outcome = integrate(scene, state, 0.5, scheme, control);
+    const Outcome outcome = run(scene, state, 0.5, VelocityVerlet(), FixedStep{.step = 0.0625});
     BOOST_TEST(state.r[2] == 0.375 + 5 * 0.0625 * 1.5);
     BOOST_TEST(outcome.impacts == 2);
     BOOST_TEST(outcome.energy_change == -13.75);
@@ -543,8 +530,8 @@ BOOST_AUTO_TEST_CASE(reports_what_each_law_that_jumps_did) {
     return outcome;
   };
   const Particles falling = ball(1.0, {0.0, 0.0, -4.0});
-  const Outcome contact_first = run(Scene(falling, floor_at_zero, contact, SpeedLimit{3.0}));
-  const Outcome limit_first = run(Scene(falling, floor_at_zero, SpeedLimit{3.0}, contact));
+  const Outcome contact_first = outcome_of(Scene(falling, floor_at_zero, contact, SpeedLimit{3.0}));
+  const Outcome limit_first = outcome_of(Scene(falling, floor_at_zero, SpeedLimit{3.0}, contact));
   BOOST_REQUIRE(contact_first.jumps_by_law.size() == 2U);
   BOOST_REQUIRE(limit_first.jumps_by_law.size() == 2U);
   for (std::size_t k = 0; k < 2; ++k) {
@@ -554,9 +541,8 @@ BOOST_AUTO_TEST_CASE(reports_what_each_law_that_jumps_did) {
   }
   const Scene alone(falling, floor_at_zero, contact);
   State state = start(alone);
-  VelocityVerlet scheme;
-  FixedStep control{.step = 0.0625};
-  BOOST_TEST(integrate(alone, state, 0.5, scheme, control).jumps_by_law.empty());  // all of it is this law's
+  // All of it is this law's.
+  BOOST_TEST(run(alone, state, 0.5, VelocityVerlet(), FixedStep{.step = 0.0625}).jumps_by_law.empty());
 }
 
 BOOST_AUTO_TEST_CASE(fails_where_a_jump_is_not_settled) {
@@ -565,9 +551,7 @@ BOOST_AUTO_TEST_CASE(fails_where_a_jump_is_not_settled) {
   together.velocity = Vectors{{2.0, 0.0, 0.0}, {-2.0, 0.0, 0.0}};
   const Scene scene(together, Space{}, Contact{});
   State state = start(scene);
-  VelocityVerlet scheme;
-  FixedStep control{.step = 1.0};
-  const Outcome outcome = integrate(scene, state, 2.0, scheme, control);
+  const Outcome outcome = run(scene, state, 2.0, VelocityVerlet(), FixedStep{.step = 1.0});
   BOOST_TEST((outcome.status == Status::failed));
   BOOST_TEST(outcome.reason.find("particles 0 and 1 touch with the same centre") == 0U);
   BOOST_TEST(outcome.overlap == 1.0);
@@ -581,8 +565,6 @@ BOOST_AUTO_TEST_CASE(gains_no_energy_in_a_resting_contact) {
     const Scene scene(ball(0.5, {0.0, 0.0, 0.0}), floor_at_zero, Gravity{{0.0, 0.0, -g}},
                       Contact{.restitution = ConstantRestitution{e}, .gamma = gamma});
     State state = start(scene);
-    VelocityVerlet scheme;
-    FixedStep control{.step = dt};
     const double energy = scene.potential_energy(state);
     double most = -1.0, last_sink = 0.0, approach = 0.0;
     const auto observe = [&](const State& from, const State& to, double, const VelocityVerlet&) {
@@ -591,7 +573,7 @@ BOOST_AUTO_TEST_CASE(gains_no_energy_in_a_resting_contact) {
       approach = -to.v[2];
       return true;
     };
-    const Outcome outcome = integrate(scene, state, 1.0, scheme, control, observe);
+    const Outcome outcome = run(scene, state, 1.0, VelocityVerlet(), FixedStep{.step = dt}, observe);
     BOOST_TEST((outcome.status == Status::reached));
     BOOST_TEST(most <= 1e-12);
     BOOST_TEST(approach == (1.0 - gamma) * g * dt / (1.0 + e), tolerance(1e-9));

@@ -1,8 +1,6 @@
 #include <particulate/schemes/collocation.hpp>
 
 #include <cmath>
-#include <limits>
-#include <stdexcept>
 #include <vector>
 
 #include <particulate/schemes/fixed_step.hpp>
@@ -10,6 +8,7 @@
 #include <particulate/schemes/phi_family.hpp>
 
 #include "close.hpp"
+#include "problems.hpp"
 
 namespace tests::collocation_test {
 
@@ -30,27 +29,14 @@ struct Spring {
     return true;
   }
 };
-struct Decay {
-  double rate_of = 1.0;
-  bool rate(double, In y, Out dy) const {
-    dy = -rate_of * y;
-    return true;
-  }
-};
 
 static_assert(Iterative<Gauss3> && Dense<Gauss3> && EstimatesTruncation<Gauss3> && Advances<Gauss3, Spring>);
 static_assert(Iterative<Stiff> && Dense<Stiff> && EstimatesTruncation<Stiff> && Advances<Stiff, Decay>);
 
-State at(double r, double v) {
-  return {.t = 0.0, .r = Eigen::VectorXd::Constant(1, r), .v = Eigen::VectorXd::Constant(1, v)};
-}
-
 // One step, its sweeps to rounding, accepted.
 template <class S, class P>
 State stepped(S& scheme, P& problem, const State& from, double dt) {
-  State to = from;
-  BOOST_REQUIRE(scheme.predict(problem, from, dt, to));
-  for (int k = 0; k < 60; ++k) scheme.sweep(problem, from, dt, to);
+  State to = swept(scheme, problem, from, dt);
   scheme.accept(dt);
   return to;
 }
@@ -58,16 +44,13 @@ State stepped(S& scheme, P& problem, const State& from, double dt) {
 // Right-hand sides asked for by the guess of a step.
 long asked_by_guess(Gauss3 scheme, const State& from, double dt) {
   Spring problem;
-  State to;
-  BOOST_REQUIRE(scheme.predict(problem, from, dt, to));
+  predicted(scheme, problem, from, dt);
   return static_cast<long>(problem.asked.size());
 }
 
 template <class S, class P>
 Truncation estimated(S scheme, P problem, const State& from, double dt) {
-  State to = from;
-  BOOST_REQUIRE(scheme.predict(problem, from, dt, to));
-  for (int k = 0; k < 60; ++k) scheme.sweep(problem, from, dt, to);
+  const State to = swept(scheme, problem, from, dt);
   return scheme.truncation(problem, from, dt, to);
 }
 
@@ -77,10 +60,8 @@ BOOST_AUTO_TEST_CASE(of_one_radau_stage_from_free_flight_is_the_monographs_schem
   Spring problem{.stiffness = 2.0};
   Collocation<Radau<1>, Picard> scheme({.guess = Guess::free_flight, .compensated = false});
   BackwardEuler euler;
-  const State from = at(1.0, 2.0);
-  State to, other;
-  scheme.predict(problem, from, 0.375, to);
-  euler.predict(problem, from, 0.375, other);
+  const State from = body(1.0, 2.0);
+  State to = predicted(scheme, problem, from, 0.375), other = predicted(euler, problem, from, 0.375);
   for (int k = 0; k < 6; ++k) {
     BOOST_TEST(to.r[0] == other.r[0]);
     BOOST_TEST(to.v[0] == other.v[0]);
@@ -95,7 +76,7 @@ BOOST_AUTO_TEST_CASE(of_one_radau_stage_from_free_flight_is_the_monographs_schem
 BOOST_AUTO_TEST_CASE(has_the_polynomial_of_the_step_anywhere_in_it) {
   Spring problem{.stiffness = 0.0, .push = 6.0};
   Gauss3 scheme;
-  const State from = at(0.0, 0.0), to = stepped(scheme, problem, from, 0.5);
+  const State from = body(0.0, 0.0), to = stepped(scheme, problem, from, 0.5);
   BOOST_TEST(std::abs(to.r[0] - 0.125) <= 3e-17);
   State there;
   const double node = 0.5 + std::sqrt(15.0) / 10.0;
@@ -110,7 +91,7 @@ BOOST_AUTO_TEST_CASE(has_the_polynomial_of_the_step_anywhere_in_it) {
 BOOST_AUTO_TEST_CASE(has_dense_output_that_begins_at_the_start_and_ends_at_the_end) {
   Spring problem{.stiffness = 4.0};
   Gauss3 scheme;
-  const State from = at(1.0, 2.0), to = stepped(scheme, problem, from, 0.5);
+  const State from = body(1.0, 2.0), to = stepped(scheme, problem, from, 0.5);
   State there;
   scheme.at(from, 0.5, 0.0, there);
   BOOST_TEST(there.r[0] == 1.0);
@@ -124,10 +105,7 @@ BOOST_AUTO_TEST_CASE(has_dense_output_that_begins_at_the_start_and_ends_at_the_e
 // straight line through it and the first stage's, which is right: their places are t^3.
 BOOST_AUTO_TEST_CASE(draws_later_stages_of_the_first_sweep_through_the_rates_found_so_far) {
   Spring problem{.stiffness = 0.0, .push = 6.0};
-  Gauss3 scheme;
-  State to;
-  scheme.predict(problem, at(0.0, 0.0), 0.5, to);
-  scheme.sweep(problem, at(0.0, 0.0), 0.5, to);
+  swept(Gauss3(), problem, body(0.0, 0.0), 0.5, 1);
   BOOST_TEST_REQUIRE(problem.asked.size() == 4U);
   BOOST_TEST(problem.asked[1] == 0.0);
   BOOST_TEST(std::abs(problem.asked[2] - std::pow(0.25, 3)) <= 1e-16);
@@ -137,7 +115,7 @@ BOOST_AUTO_TEST_CASE(draws_later_stages_of_the_first_sweep_through_the_rates_fou
 BOOST_AUTO_TEST_CASE(extrapolates_where_the_step_goes_on_and_begins_anew_elsewhere) {
   Spring problem;
   Gauss3 scheme;
-  const State end = stepped(scheme, problem, at(1.0, 2.0), 0.25);
+  const State end = stepped(scheme, problem, body(1.0, 2.0), 0.25);
   BOOST_TEST(asked_by_guess(scheme, end, 0.25) == 0);
   const auto changed = [&](auto change) {
     State other = end;
@@ -155,17 +133,15 @@ BOOST_AUTO_TEST_CASE(extrapolates_where_the_step_goes_on_and_begins_anew_elsewhe
 BOOST_AUTO_TEST_CASE(still_knows_the_last_step_when_one_is_made_again_smaller) {
   Spring problem;
   Gauss3 scheme;
-  const State end = stepped(scheme, problem, at(1.0, 2.0), 0.25);
-  State to;
-  scheme.predict(problem, end, 0.5, to);
-  scheme.sweep(problem, end, 0.5, to);
+  const State end = stepped(scheme, problem, body(1.0, 2.0), 0.25);
+  swept(scheme, problem, end, 0.5, 1);
   BOOST_TEST(asked_by_guess(scheme, end, 0.25) == 0);
 }
 
 BOOST_AUTO_TEST_CASE(is_a_checkpoint_when_copied) {
   Spring problem;
   Gauss3 scheme;
-  const State end = stepped(scheme, problem, at(1.0, 2.0), 0.25);
+  const State end = stepped(scheme, problem, body(1.0, 2.0), 0.25);
   Gauss3 copy = scheme;
   const State one = stepped(scheme, problem, end, 0.25), other = stepped(copy, problem, end, 0.25);
   BOOST_TEST(one.r[0] == other.r[0]);
@@ -175,11 +151,9 @@ BOOST_AUTO_TEST_CASE(is_a_checkpoint_when_copied) {
 // A thousand times 1e-17 to 1: each alone is lost in the rounding.
 BOOST_AUTO_TEST_CASE(adds_up_what_rounding_takes_from_the_state) {
   const auto after = [](bool compensated) {
-    Spring drifting{.stiffness = 0.0};
     Gauss3 scheme({.compensated = compensated});
-    State state = at(1.0, 1e-17);
-    FixedStep control{.step = 1.0};
-    BOOST_REQUIRE(integrate(drifting, state, 1000.0, scheme, control).steps == 1000);
+    State state = body(1.0, 1e-17);
+    BOOST_REQUIRE(run(Spring{.stiffness = 0.0}, state, 1000.0, scheme, FixedStep{.step = 1.0}).steps == 1000);
     return state.r[0];
   };
   BOOST_TEST(after(false) == 1.0);
@@ -193,32 +167,27 @@ BOOST_AUTO_TEST_CASE(estimates_an_error_that_falls_with_the_order_that_it_names)
     BOOST_TEST(whole.order == order);
     BOOST_TEST(std::abs(std::log2(whole.error / half.error) - (order + 1)) <= 0.2);
   };
-  falls(Gauss3(), Spring(), at(1.0, 2.0), 6);
-  falls(Stiff(), Decay(), State{.t = 0.0, .y = Eigen::VectorXd::Ones(1)}, 3);
+  falls(Gauss3(), Spring(), body(1.0, 2.0), 6);
+  falls(Stiff(), Decay(), one(), 3);
 }
 
 BOOST_AUTO_TEST_CASE(has_no_estimate_for_one_stage_without_a_last_step) {
   const Collocation<Radau<1>, Picard> scheme({.guess = Guess::free_flight});
-  BOOST_TEST(std::isnan(estimated(scheme, Spring(), at(1.0, 2.0), 0.25).error));
+  BOOST_TEST(std::isnan(estimated(scheme, Spring(), body(1.0, 2.0), 0.25).error));
 }
 
 // y' = 2 y with a step of 1/2: the equation of the stage is 0 k = 2.
 BOOST_AUTO_TEST_CASE(refuses_a_singular_system_with_the_reason) {
-  const Decay growth{.rate_of = -2.0};
-  Collocation<Radau<1>, Newton<>> scheme;
-  State state{.t = 0.0, .y = Eigen::VectorXd::Ones(1)};
-  FixedStep control{.step = 0.5};
-  const Outcome outcome = integrate(growth, state, 0.5, scheme, control);
+  State state = one();
+  const Outcome outcome = run(Decay{-2.0}, state, 0.5, Collocation<Radau<1>, Newton<>>(), FixedStep{.step = 0.5});
   BOOST_TEST((outcome.failure == Failure::no_value));
-  BOOST_TEST(outcome.reason.find("no finite value within this step of 0.5 s") != std::string::npos);
+  BOOST_TEST(contains(outcome.reason, "no finite value within this step of 0.5 s"));
   BOOST_TEST(state.y[0] == 1.0);
 }
 
 // (I + h A) k = -1 on y' = -y: the Pade approximation (1 - 2h/5 + h^2/20)/(1 + 3h/5 + 3h^2/20 + h^3/60) at h = 1.
 BOOST_AUTO_TEST_CASE(solves_a_linear_problem_by_newton) {
-  Decay decay;
-  Stiff scheme;
-  const State to = stepped(scheme, decay, State{.t = 0.0, .y = Eigen::VectorXd::Ones(1)}, 1.0);
+  const State to = swept(Stiff(), Decay{}, one(), 1.0);
   BOOST_TEST(std::abs(to.y[0] - 0.65 / (1.0 + 0.6 + 0.15 + 1.0 / 60.0)) <= 2e-16);
 }
 
@@ -228,11 +197,10 @@ BOOST_AUTO_TEST_CASE(serves_one_problem_after_another_of_different_length_by_new
   for (const Eigen::Index n : {2, 3, 1, 5}) {
     Spring spring{.stiffness = static_cast<double>(n)};
     State state{.r = Eigen::VectorXd::LinSpaced(n, 1.0, 2.0), .v = Eigen::VectorXd::Zero(n)}, again = state;
-    Collocation<Gauss<3>, Newton<>> fresh;
     FixedStep control{.step = 0.25};
     const Outcome outcome = integrate(spring, state, 1.0, used, control);
     BOOST_TEST(outcome.reason == "");
-    BOOST_TEST(outcome.evaluations == integrate(spring, again, 1.0, fresh, control).evaluations);
+    BOOST_TEST(outcome.evaluations == run(spring, again, 1.0, Collocation<Gauss<3>, Newton<>>(), control).evaluations);
     BOOST_TEST(close(flat(state), flat(again), {}));
     const double root = std::sqrt(static_cast<double>(n));
     BOOST_TEST(close(state.r, std::cos(root) * Eigen::VectorXd::LinSpaced(n, 1.0, 2.0), {.absolute = 1e-4}));
@@ -243,8 +211,7 @@ BOOST_AUTO_TEST_CASE(wants_as_many_sizes_as_unknowns) {
   Decay decay;
   Stiff scheme({.sizes = Eigen::Vector2d(1.0, 2.0)});
   State to;
-  BOOST_CHECK_EXCEPTION(scheme.predict(decay, State{.t = 0.0, .y = Eigen::VectorXd::Ones(1)}, 1.0, to),
-                        std::invalid_argument, says("sizes must be one for each of 1 unknowns, got 2"));
+  CHECK_REFUSED(scheme.predict(decay, one(), 1.0, to), "sizes must be one for each of 1 unknowns, got 2");
 }
 
 BOOST_AUTO_TEST_SUITE_END()
@@ -253,14 +220,13 @@ BOOST_AUTO_TEST_SUITE(validate_)
 
 BOOST_AUTO_TEST_CASE(names_the_size_and_what_was_given) {
   const auto refuses = [](const CollocationSettings& bad, const char* words) {
-    BOOST_CHECK_EXCEPTION(validate(bad), std::invalid_argument, says(words));
-    BOOST_CHECK_EXCEPTION(Gauss3{bad}, std::invalid_argument, says(words));
+    CHECK_REFUSED(validate(bad), words);
+    CHECK_REFUSED(Gauss3{bad}, words);
   };
-  const double nan = std::numeric_limits<double>::quiet_NaN();
   BOOST_CHECK_NO_THROW(validate(CollocationSettings{}));
   refuses({.size = 0.0}, "collocation: size must be positive and finite, got 0");
   refuses({.speed = -1.0}, "collocation: speed must be positive and finite, got -1");
-  refuses({.sizes = Eigen::Vector2d(1.0, nan)}, "collocation: sizes must be positive and finite, got nan");
+  refuses({.sizes = Eigen::Vector2d(1.0, not_a_number)}, "collocation: sizes must be positive and finite, got nan");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,6 +1,4 @@
-#include <array>
 #include <cmath>
-#include <stdexcept>
 #include <vector>
 
 #include <particulate/schemes/collocation.hpp>
@@ -14,6 +12,7 @@
 
 #include "close.hpp"
 #include "order.hpp"
+#include "problems.hpp"
 
 namespace tests::coupled_problem_test {
 
@@ -59,8 +58,7 @@ template <class S, class P>
 double error_after(S scheme, const P& problem, int steps) {
   const double t_end = 1.7;
   State state = P::at(0.0);
-  FixedStep control{.step = t_end / steps};
-  const Outcome outcome = integrate(problem, state, t_end, scheme, control);
+  const Outcome outcome = run(problem, state, t_end, scheme, FixedStep{.step = t_end / steps});
   BOOST_REQUIRE(outcome.reason == "");
   BOOST_REQUIRE(outcome.steps == steps);
   return (flat(state) - flat(P::at(t_end))).norm();
@@ -109,10 +107,7 @@ BOOST_AUTO_TEST_CASE(that_ignores_velocities_contracts_with_the_square_of_the_st
   const Unsaid unsaid;
   const auto exponent = [](const Problem& problem) {
     PhiFamily<> scheme;
-    const State from = Manufactured::at(0.0);
-    State to;
-    scheme.predict(problem, from, 0.1, to);
-    scheme.sweep(problem, from, 0.1, to);
+    swept(scheme, problem, Manufactured::at(0.0), 0.1, 1);
     return scheme.iterations()[0].p;
   };
   BOOST_TEST(exponent(blind) == 2);
@@ -126,16 +121,11 @@ BOOST_AUTO_TEST_CASE(gives_newton_the_jacobian_that_difference_quotients_make) {
   const Differentiated differentiated;
   State from = Manufactured::at(0.0);
   from.y[0] = 2.0, from.v[0] = 1.0;  // off the solution, so that no derivative vanishes
-  const auto swept = [&](const Problem& problem, long& evaluations) {
-    Collocation<Gauss<2>, Newton<>> scheme;
-    State to;
-    const Problem counted = problem.counted_by(evaluations);
-    BOOST_REQUIRE(scheme.predict(counted, from, 0.5, to));
-    scheme.sweep(counted, from, 0.5, to);
-    return flat(to);
+  const auto newton = [&](const Problem& problem, long& evaluations) {
+    return flat(swept(Collocation<Gauss<2>, Newton<>>(), problem.counted_by(evaluations), from, 0.5, 1));
   };
   long by_quotients = 0, by_hand = 0;
-  const Eigen::VectorXd quotients = swept(plain, by_quotients), hand = swept(differentiated, by_hand);
+  const Eigen::VectorXd quotients = newton(plain, by_quotients), hand = newton(differentiated, by_hand);
   BOOST_TEST(close(quotients, hand, {.relative = 1e-7}));
   BOOST_TEST(differentiated.jacobians == 1);
   BOOST_TEST(by_quotients == by_hand + 4);
@@ -150,26 +140,21 @@ BOOST_AUTO_TEST_CASE(that_is_stiff_in_its_coupling_is_solved_by_newton_alone) {
       return true;
     }
   } problem;
-  const State start{.r = Eigen::VectorXd::Ones(1), .v = Eigen::VectorXd::Zero(1), .y = Eigen::VectorXd::Ones(1)};
+  const State start = displaced(Eigen::VectorXd::Ones(1));
   State state = start;
   FixedStep control{.step = 0.1, .TOL = 1e-10};
-  Collocation<Radau<3>, Newton<>> newton;
-  BOOST_TEST(integrate(problem, state, 2.0, newton, control).reason == "");
+  BOOST_TEST(run(problem, state, 2.0, Collocation<Radau<3>, Newton<>>(), control).reason == "");
   BOOST_TEST(std::abs(state.r[0] - std::cos(2.0)) <= 1e-6);
   BOOST_TEST(std::abs(state.y[0] - std::cos(2.0)) <= 1e-6);
   State other = start;
-  Collocation<Radau<3>> plain;
-  BOOST_TEST((integrate(problem, other, 2.0, plain, control).status == Status::failed));
+  BOOST_TEST((run(problem, other, 2.0, Collocation<Radau<3>>(), control).status == Status::failed));
 }
 
 BOOST_AUTO_TEST_CASE(has_no_sparse_jacobian_and_says_what_to_do) {
-  const Manufactured problem;
   State state = Manufactured::at(0.0);
-  Collocation<Gauss<2>, Newton<SparseStages>> scheme;
-  FixedStep control{.step = 0.1};
-  BOOST_CHECK_EXCEPTION((void)integrate(problem, state, 1.0, scheme, control), std::invalid_argument,
-                        says("sparse matrices are for problems of motion or of values, got one of both: take "
-                             "DenseStages, or stagger the two"));
+  CHECK_REFUSED(run(Manufactured{}, state, 1.0, Collocation<Gauss<2>, Newton<SparseStages>>(), FixedStep{.step = 0.1}),
+                "sparse matrices are for problems of motion or of values, got one of both: take "
+                "DenseStages, or stagger the two");
 }
 
 BOOST_AUTO_TEST_CASE(refuses_a_jacobian_of_another_size) {
@@ -177,21 +162,17 @@ BOOST_AUTO_TEST_CASE(refuses_a_jacobian_of_another_size) {
     void jacobian(double, In, In, In, Eigen::MatrixXd& J) const { J = Eigen::MatrixXd::Zero(3, 3); }
   } problem;
   State state = Manufactured::at(0.0);
-  Collocation<Gauss<2>, Newton<>> scheme;
-  FixedStep control{.step = 0.1};
-  BOOST_CHECK_EXCEPTION((void)integrate(problem, state, 1.0, scheme, control), std::invalid_argument,
-                        says("jacobian(t, r, v, y, J) must leave its matrix as large as it gets it"));
+  CHECK_REFUSED(run(problem, state, 1.0, Collocation<Gauss<2>, Newton<>>(), FixedStep{.step = 0.1}),
+                "jacobian(t, r, v, y, J) must leave its matrix as large as it gets it");
 }
 
 // The polynomials of the stages carry the values too: r and y of order 2 and more anywhere in a step.
 BOOST_AUTO_TEST_CASE(has_dense_output_of_motion_and_values) {
-  const Manufactured problem;
-  const auto error = [&](double dt) {
+  const auto error = [](double dt) {
     const State from = Manufactured::at(0.3);
-    State to = from, there;
+    State there;
     Collocation<Gauss<3>> scheme;
-    BOOST_REQUIRE(scheme.predict(problem, from, dt, to));
-    for (int k = 0; k < 40; ++k) scheme.sweep(problem, from, dt, to);
+    swept(scheme, Manufactured{}, from, dt, 40);
     scheme.at(from, dt, 0.4, there);
     return (flat(there) - flat(Manufactured::at(0.3 + 0.4 * dt))).norm();
   };
@@ -204,18 +185,6 @@ BOOST_AUTO_TEST_SUITE_END()
 // --- What is not advanced --------------------------------------------------------------------------------------------
 
 // a = -r - v: no rule of Verlet's.
-struct Damped {
-  bool acceleration(double, In r, In v, Out a) const {
-    a = -r - v;
-    return true;
-  }
-};
-struct Decay {
-  bool rate(double, In y, Out dy) const {
-    dy = -y;
-    return true;
-  }
-};
 static_assert(!Advances<VelocityVerlet, Damped> && !Advances<VelocityVerlet, Decay>);
 
 BOOST_AUTO_TEST_SUITE(erased_problem)
@@ -223,10 +192,9 @@ BOOST_AUTO_TEST_SUITE(erased_problem)
 BOOST_AUTO_TEST_CASE(of_which_a_scheme_leaves_something_behind_is_refused_at_the_start) {
   const auto refuses = [](const Problem& problem, State state) {
     VelocityVerlet scheme;
-    FixedStep control{.step = 0.1};
     const State start = state;
-    BOOST_CHECK_EXCEPTION((void)integrate(problem, state, 1.0, scheme, control), std::invalid_argument,
-                          says("the scheme must be able to advance all that the problem has"));
+    CHECK_REFUSED(run(problem, state, 1.0, scheme, FixedStep{.step = 0.1}),
+                  "the scheme must be able to advance all that the problem has");
     BOOST_TEST(state.t == 0.0);
     BOOST_TEST(close(flat(state), flat(start), {}));
   };
@@ -234,34 +202,25 @@ BOOST_AUTO_TEST_CASE(of_which_a_scheme_leaves_something_behind_is_refused_at_the
   const Decay decay;
   const Manufactured both;
   const Blind blind;
-  refuses(damped, {.r = Eigen::VectorXd::Ones(1), .v = Eigen::VectorXd::Zero(1)});
-  refuses(decay, {.y = Eigen::VectorXd::Ones(1)});
+  refuses(damped, displaced());
+  refuses(decay, one());
   refuses(both, Manufactured::at(0.0));
   refuses(blind, Manufactured::at(0.0));
 }
 
 BOOST_AUTO_TEST_CASE(is_solved_to_the_same_bits_as_with_its_type) {
   const Manufactured problem;
-  const Problem erased(problem);
-  State one = Manufactured::at(0.0), other = one;
-  Collocation<Gauss<3>> scheme, again;
-  FixedStep control{.step = 0.125};
-  const Outcome first = integrate(problem, one, 1.0, scheme, control);
-  const Outcome second = integrate(erased, other, 1.0, again, control);
+  State typed = Manufactured::at(0.0), erased = typed;
+  const Outcome first = run(problem, typed, 1.0, Collocation<Gauss<3>>(), FixedStep{.step = 0.125});
+  const Outcome second = run(Problem(problem), erased, 1.0, Collocation<Gauss<3>>(), FixedStep{.step = 0.125});
   BOOST_TEST(first.evaluations == second.evaluations);
-  BOOST_TEST(close(flat(one), flat(other), {}));
+  BOOST_TEST(close(flat(typed), flat(erased), {}));
 }
 
 BOOST_AUTO_TEST_SUITE_END()
 
 // --- Values by jumps -------------------------------------------------------------------------------------------------
 
-struct Spring {
-  bool acceleration(double, In r, Out a) const {
-    a = -r;
-    return true;
-  }
-};
 struct Carrying : Spring {
   static constexpr bool values_by_jumps = true;
 };
@@ -274,19 +233,14 @@ State carried() {
 // The motion is that of the problem without values, to the bit, and y stays.
 template <class S>
 void carries(const S& made) {
-  const Spring spring;
-  const Carrying carrying;
   State plain = carried(), state = carried();
   plain.y.resize(0);
-  S alone = made, scheme = made;
-  FixedStep control{.step = 0.125};
-  const Outcome without = integrate(spring, plain, 1.0, alone, control);
-  const Outcome with = integrate(carrying, state, 1.0, scheme, control);
+  const Outcome without = run(Spring{}, plain, 1.0, S(made), FixedStep{.step = 0.125});
+  const Outcome with = run(Carrying{}, state, 1.0, S(made), FixedStep{.step = 0.125});
   BOOST_TEST(with.reason == "");
   BOOST_TEST(with.evaluations == without.evaluations);
-  BOOST_TEST(close(state.y, carried().y, {}));
-  BOOST_TEST(close(state.r, plain.r, {}));
-  BOOST_TEST(close(state.v, plain.v, {}));
+  plain.y = carried().y;
+  BOOST_TEST(close(flat(state), flat(plain), {}));
 }
 
 // A spring as stiff as y says, which the end of every step makes stiffer by one. It reports no impact.
@@ -301,32 +255,20 @@ struct Stiffening {
     return {};
   }
 };
-struct Stiff {
-  double stiffness;
-  bool acceleration(double, In r, Out a) const {
-    a = -stiffness * r;
-    return true;
-  }
-};
 
 // Four steps of springs of stiffness 1 to 4, each with a scheme that knows of none before.
 template <class S>
 void sees_what_has_jumped(const S& made) {
-  const Stiffening problem;
-  State state{.r = Eigen::VectorXd::Ones(1), .v = Eigen::VectorXd::Zero(1), .y = Eigen::VectorXd::Ones(1)},
-      by_hand = state;
+  State state = displaced(Eigen::VectorXd::Ones(1)), by_hand = state;
   by_hand.y.resize(0);
-  S scheme = made;
   FixedStep control{.step = 0.25};
-  BOOST_TEST(integrate(problem, state, 1.0, scheme, control).steps == 4);
+  BOOST_TEST(run(Stiffening{}, state, 1.0, S(made), control).steps == 4);
   BOOST_TEST(state.y[0] == 5.0);
   for (int k = 1; k <= 4; ++k) {
-    const Stiff spring{static_cast<double>(k)};
-    S fresh = made;
-    BOOST_TEST(integrate(spring, by_hand, 0.25 * k, fresh, control).steps == 1);
+    BOOST_TEST(run(Spring{static_cast<double>(k)}, by_hand, 0.25 * k, S(made), control).steps == 1);
   }
-  BOOST_TEST(close(state.r, by_hand.r, {.relative = 1e-14}));
-  BOOST_TEST(close(state.v, by_hand.v, {.relative = 1e-14}));
+  state.y.resize(0);
+  BOOST_TEST(close(flat(state), flat(by_hand), {.relative = 1e-14}));
 }
 
 BOOST_AUTO_TEST_SUITE(values_by_jumps_)
@@ -346,12 +288,10 @@ BOOST_AUTO_TEST_CASE(are_carried_along_unchanged_by_every_scheme) {
 }
 
 BOOST_AUTO_TEST_CASE(are_carried_along_by_dense_output) {
-  const Carrying problem;
   const State from = carried();
-  State to = from, there;
+  State there;
   Collocation<Gauss<3>> scheme;
-  BOOST_REQUIRE(scheme.predict(problem, from, 0.5, to));
-  for (int k = 0; k < 40; ++k) scheme.sweep(problem, from, 0.5, to);
+  swept(scheme, Carrying{}, from, 0.5, 40);
   for (const double theta : {0.0, 0.3, 1.0}) {
     scheme.at(from, 0.5, theta, there);
     BOOST_TEST(close(there.y, from.y, {}));
@@ -367,16 +307,12 @@ BOOST_AUTO_TEST_CASE(are_those_after_the_last_jump_where_forces_look_at_them) {
 }
 
 BOOST_AUTO_TEST_CASE(must_be_announced_and_places_must_have_forces) {
-  const Spring spring;
-  const Decay decay;
   State both = carried();
-  RungeKutta4 scheme;
-  FixedStep control{.step = 0.1};
-  BOOST_CHECK_EXCEPTION((void)integrate(spring, both, 1.0, scheme, control), std::invalid_argument,
-                        says("the problem has no rate for values, so the state must have none, got 2: give it rates(t, "
-                             "r, v, y, a, dy), or the constant values_by_jumps if they change by jumps alone"));
-  BOOST_CHECK_EXCEPTION((void)integrate(decay, both, 1.0, scheme, control), std::invalid_argument,
-                        says("a rate of values alone, so the state must have no places, got 1: they go into y"));
+  CHECK_REFUSED(run(Spring{}, both, 1.0, RungeKutta4(), FixedStep{.step = 0.1}),
+                "the problem has no rate for values, so the state must have none, got 2: give it rates(t, "
+                "r, v, y, a, dy), or the constant values_by_jumps if they change by jumps alone");
+  CHECK_REFUSED(run(Decay{}, both, 1.0, RungeKutta4(), FixedStep{.step = 0.1}),
+                "a rate of values alone, so the state must have no places, got 1: they go into y");
 }
 
 BOOST_AUTO_TEST_SUITE_END()
@@ -398,9 +334,7 @@ struct Apart {
     return {{.name = "heat", .first = 0, .size = 1}, {.name = "charge", .first = 1, .size = 1, .TOL = charge_TOL}};
   }
 };
-State apart() {
-  return {.r = Eigen::VectorXd::Constant(1, 1.0), .v = Eigen::VectorXd::Zero(1), .y = Eigen::Vector2d(1.0, 1e6)};
-}
+State apart() { return displaced(Eigen::Vector2d(1.0, 1e6)); }
 
 // PhiControl, which keeps what it was shown.
 struct Watched {
@@ -428,10 +362,8 @@ BOOST_AUTO_TEST_SUITE(parts_of_a_state)
 BOOST_AUTO_TEST_CASE(are_measured_each_by_itself) {
   const Apart problem;
   const State from = apart();
-  State to;
   PhiFamily<> scheme;
-  BOOST_REQUIRE(scheme.predict(problem, from, 0.05, to));
-  scheme.sweep(problem, from, 0.05, to);
+  State to = swept(scheme, problem, from, 0.05, 1);
   const Iteration worst = scheme.sweep(problem, from, 0.05, to);
   BOOST_TEST(worst.field == "charge");
   BOOST_TEST_REQUIRE(scheme.iterations().size() == 3U);
@@ -481,12 +413,10 @@ BOOST_AUTO_TEST_CASE(are_measured_each_by_itself_by_collocation) {
 }
 
 BOOST_AUTO_TEST_CASE(say_which_of_them_has_not_met_its_tolerance) {
-  const Apart problem{.decay = {1.0, 40.0}};
   State state = apart();
-  PhiFamily<> scheme;
-  FixedStep control{.step = 0.05, .contractions = 20};
-  BOOST_TEST(integrate(problem, state, 1.0, scheme, control).reason.find("the sweeps of field charge diverge") !=
-             std::string::npos);
+  BOOST_TEST(contains(
+      run(Apart{.decay = {1.0, 40.0}}, state, 1.0, PhiFamily<>(), FixedStep{.step = 0.05, .contractions = 20}).reason,
+      "the sweeps of field charge diverge"));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -2,14 +2,12 @@
 
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <numbers>
 
 #include "close.hpp"
 
 namespace tests::crossing_test {
 
-using boost::test_tools::tolerance;
 using namespace particulate::schemes;
 
 using Function = std::function<double(double)>;

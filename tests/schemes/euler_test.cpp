@@ -3,6 +3,7 @@
 #include <particulate/schemes/scheme.hpp>
 
 #include "close.hpp"
+#include "problems.hpp"
 
 namespace tests::euler_test {
 
@@ -28,21 +29,14 @@ BOOST_AUTO_TEST_SUITE(ForwardEuler_)
 
 // a = -2 - 4 = -6 at (1, 4): r = 1 + 4/4, v = 4 - 6/4.
 BOOST_AUTO_TEST_CASE(moves_on_with_the_rates_of_the_start) {
-  const Damped problem;
-  ForwardEuler scheme;
-  State to;
-  BOOST_TEST(scheme.predict(
-      problem, {.t = 1.0, .r = Eigen::VectorXd::Constant(1, 1.0), .v = Eigen::VectorXd::Constant(1, 4.0)}, 0.25, to));
+  const State to = predicted(ForwardEuler(), Damped{}, body(1.0, 4.0, 1.0), 0.25);
   BOOST_TEST(to.t == 1.25);
   BOOST_TEST(to.r[0] == 2.0);
   BOOST_TEST(to.v[0] == 2.5);
 }
 
 BOOST_AUTO_TEST_CASE(multiplies_a_decaying_value_by_one_minus_its_rate) {
-  const Decay problem;
-  ForwardEuler scheme;
-  State to;
-  BOOST_TEST(scheme.predict(problem, {.t = 0.0, .y = Eigen::VectorXd::Constant(1, 8.0)}, 0.25, to));
+  const State to = predicted(ForwardEuler(), Decay{}, one(8.0), 0.25);
   BOOST_TEST(to.y[0] == 2.0);
   BOOST_TEST(to.t == 0.25);
 }
@@ -51,11 +45,9 @@ BOOST_AUTO_TEST_CASE(says_that_there_is_no_value) {
   const Decay decay;
   const Damped damped;
   ForwardEuler scheme;
-  State values;
-  State motion;
-  BOOST_TEST(!scheme.predict(decay, {.t = -1.0, .y = Eigen::VectorXd::Ones(1)}, 0.25, values));
-  BOOST_TEST(
-      !scheme.predict(damped, {.t = -1.0, .r = Eigen::VectorXd::Ones(1), .v = Eigen::VectorXd::Ones(1)}, 0.25, motion));
+  State values, motion;
+  BOOST_TEST(!scheme.predict(decay, one(1.0, -1.0), 0.25, values));
+  BOOST_TEST(!scheme.predict(damped, body(1.0, 1.0, -1.0), 0.25, motion));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,17 +1,13 @@
 #include <particulate/schemes/iteration.hpp>
 
 #include <cmath>
-#include <limits>
 
 #include "close.hpp"
+#include "problems.hpp"
 
 namespace tests::iteration_test {
 
-using boost::test_tools::tolerance;
 using namespace particulate::schemes;
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // One step of displacement 4 from a start of size 12, whose sweeps change the state by 2, 1 and 1/4.
 IterationMeasure three_sweeps() {
@@ -23,8 +19,6 @@ IterationMeasure three_sweeps() {
 }
 
 Attempt attempt_with(const Iteration& it) { return {.dt = 0.5, .iteration = it}; }
-
-bool contains(const std::string& text, const std::string& words) { return text.find(words) != std::string::npos; }
 
 BOOST_AUTO_TEST_SUITE(IterationMeasure_)
 
@@ -44,7 +38,7 @@ BOOST_AUTO_TEST_CASE(takes_the_contraction_from_changes_that_are_not_normalized)
 }
 
 BOOST_AUTO_TEST_CASE(knows_what_one_rounding_of_the_state_is) {
-  BOOST_TEST(three_sweeps().iteration().rounding == epsilon * 16.0 / 4.0);
+  BOOST_TEST(three_sweeps().iteration().rounding == eps * 16.0 / 4.0);
 }
 
 BOOST_AUTO_TEST_CASE(forgets_the_last_step_when_the_next_begins) {
@@ -79,7 +73,7 @@ BOOST_AUTO_TEST_CASE(measures_a_motion_that_is_all_but_at_rest_by_the_size_of_th
   measure.normalize(0.0, 2.0);
   BOOST_TEST(measure.unit() == 2e-8);
   BOOST_TEST(measure.record(1.0).w_0 == 0.5e8);
-  BOOST_TEST(measure.iteration().rounding == epsilon / 1e-8);
+  BOOST_TEST(measure.iteration().rounding == eps / 1e-8);
 }
 
 BOOST_AUTO_TEST_CASE(begins_to_count_with_the_first_sweep_that_changes_anything) {
@@ -96,7 +90,7 @@ BOOST_AUTO_TEST_CASE(begins_to_count_with_the_first_sweep_that_changes_anything)
 }
 
 BOOST_AUTO_TEST_CASE(takes_no_infinite_change_for_a_value_and_keeps_the_last_finite_one) {
-  for (const double change : {infinity, std::numeric_limits<double>::quiet_NaN()}) {
+  for (const double change : {infinity, not_a_number}) {
     IterationMeasure measure = three_sweeps();
     const Iteration it = measure.record(change);
     BOOST_TEST(!it.evaluated);
@@ -111,7 +105,7 @@ BOOST_AUTO_TEST_CASE(remembers_after_an_overflow_that_the_sweeps_were_diverging)
   measure.normalize(1.0, 1.0);
   measure.record(1.0);
   measure.record(1e200);
-  BOOST_TEST(measure.record(std::numeric_limits<double>::quiet_NaN()).rate == 1e200);
+  BOOST_TEST(measure.record(not_a_number).rate == 1e200);
 }
 
 BOOST_AUTO_TEST_CASE(books_that_there_is_no_value) { BOOST_TEST(!three_sweeps().no_value().evaluated); }
@@ -125,6 +119,11 @@ struct Parted {
   std::vector<Range> ranges() const {
     return {{.name = "heat", .first = 0, .size = 1}, {.name = "charge", .first = 1, .size = 2, .TOL = 0.01}};
   }
+  PartMeasures begun() const {
+    PartMeasures parts;
+    parts.begin(*this, displaced(Eigen::VectorXd::Ones(3)), 2);
+    return parts;
+  }
 };
 
 BOOST_AUTO_TEST_SUITE(PartMeasures_)
@@ -132,9 +131,7 @@ BOOST_AUTO_TEST_SUITE(PartMeasures_)
 // Motion moves by 4 and changes by 1; heat from 1 by 2 and by 2; charge from (10, -20) by 100, then by 3 of that.
 BOOST_AUTO_TEST_CASE(keep_every_part_in_its_own_unit_and_know_the_worst) {
   const Parted problem;
-  PartMeasures parts;
-  parts.begin(problem, {.r = Eigen::VectorXd::Ones(1), .v = Eigen::VectorXd::Ones(1), .y = Eigen::VectorXd::Ones(3)},
-              2);
+  PartMeasures parts = problem.begun();
   parts.motion().normalize(4.0, 12.0);
   parts.motion().record(1.0);
   const Eigen::VectorXd start = Eigen::Vector3d(1.0, 10.0, -20.0), moved = Eigen::Vector3d(3.0, 60.0, -70.0);
@@ -152,8 +149,8 @@ BOOST_AUTO_TEST_CASE(keep_every_part_in_its_own_unit_and_know_the_worst) {
   BOOST_TEST((motion.w_0 == 0.25 && motion.w_K == 0.125));
   BOOST_TEST((heat.w_0 == 1.0 && heat.w_K == 0.25));
   BOOST_TEST(charge.w_K == 0.03 / 0.01, tolerance(1e-15));
-  BOOST_TEST(heat.rounding == epsilon * 3.0 / 2.0);
-  BOOST_TEST(charge.rounding == epsilon * 130.0 / 100.0 / 0.01, tolerance(1e-15));
+  BOOST_TEST(heat.rounding == eps * 3.0 / 2.0);
+  BOOST_TEST(charge.rounding == eps * 130.0 / 100.0 / 0.01, tolerance(1e-15));
   BOOST_TEST(heat.change == 0.5);
   BOOST_TEST(charge.change == 3.0);
 }
@@ -161,9 +158,7 @@ BOOST_AUTO_TEST_CASE(keep_every_part_in_its_own_unit_and_know_the_worst) {
 // Of two combinations of rates the larger change counts, in each range for itself.
 BOOST_AUTO_TEST_CASE(take_the_larger_of_two_changes_of_a_range) {
   const Parted problem;
-  PartMeasures parts;
-  parts.begin(problem, {.r = Eigen::VectorXd::Ones(1), .v = Eigen::VectorXd::Ones(1), .y = Eigen::VectorXd::Ones(3)},
-              2);
+  PartMeasures parts = problem.begun();
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(3);
   parts.motion().normalize(1.0, 1.0);
   parts.motion().record(0.0);
@@ -197,10 +192,7 @@ BOOST_AUTO_TEST_CASE(of_a_single_part_are_that_of_the_problem) {
 }
 
 BOOST_AUTO_TEST_CASE(have_no_value_where_the_problem_has_none) {
-  const Parted problem;
-  PartMeasures parts;
-  parts.begin(problem, {.r = Eigen::VectorXd::Ones(1), .v = Eigen::VectorXd::Ones(1), .y = Eigen::VectorXd::Ones(3)},
-              2);
+  PartMeasures parts = Parted{}.begun();
   BOOST_TEST(!parts.no_value().evaluated);
   for (const Iteration& it : parts.iterations()) BOOST_TEST(!it.evaluated);
 }

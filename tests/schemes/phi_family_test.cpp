@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <stdexcept>
 
 #include <particulate/schemes/fixed_step.hpp>
 #include <particulate/schemes/fixed_sweeps.hpp>
@@ -11,30 +9,16 @@
 
 #include "close.hpp"
 #include "order.hpp"
+#include "problems.hpp"
 
 namespace tests::phi_family_test {
 
-using boost::test_tools::tolerance;
 using namespace particulate::schemes;
 
-struct Spring {
-  double stiffness = 1.0;
-  bool acceleration(double, In r, Out a) const {
-    a = -stiffness * r;
-    return true;
-  }
-};
 struct Drag {
   double c = 1.0;
   bool acceleration(double, In, In v, Out a) const {
     a = -c * v;
-    return true;
-  }
-};
-struct Decay {
-  double c = 1.0;
-  bool rate(double, In y, Out dy) const {
-    dy = -c * y;
     return true;
   }
 };
@@ -56,25 +40,18 @@ struct Ending {
 static_assert(Iterative<BackwardEuler> && Iterative<PhiFamily<Anderson>> && Advances<BackwardEuler, Spring> &&
               Advances<BackwardEuler, Drag> && Advances<PhiFamily<Anderson>, Decay>);
 
-State at(double r, double v) {
-  return {.t = 0.0, .r = Eigen::VectorXd::Constant(1, r), .v = Eigen::VectorXd::Constant(1, v)};
-}
-
 // One step to rounding.
 template <class S, class P>
 State stepped(S scheme, P problem, State state, double dt) {
-  FixedStep control{.step = dt, .contractions = 100000};
-  const Outcome outcome = integrate(problem, state, state.t + dt, scheme, control);
+  const Outcome outcome = run(problem, state, state.t + dt, scheme, FixedStep{.step = dt, .contractions = 100000});
   BOOST_TEST_REQUIRE(outcome.reason == "");
   return state;
 }
 
 template <class S>
 double error_of_driven(S scheme, int steps) {
-  State state{.t = 0.0, .y = Eigen::VectorXd::Zero(1)};
-  const Driven problem;
-  FixedStep control{.step = 1.3 / steps};
-  BOOST_REQUIRE(integrate(problem, state, 1.3, scheme, control).steps == steps);
+  State state = one(0.0);
+  BOOST_REQUIRE(run(Driven{}, state, 1.3, scheme, FixedStep{.step = 1.3 / steps}).steps == steps);
   return std::abs(state.y[0] - std::sin(1.3));
 }
 
@@ -89,13 +66,11 @@ double largest_amplitude(double phi, TimeScale::Kind kind, C control, double ste
     largest = std::max(largest, now);
     return now > 1e-100;
   };
-  const Spring spring;
-  const Decay decay;
-  State state = kind == TimeScale::Kind::decays ? State{.y = Eigen::VectorXd::Ones(1)} : at(1.0, 0.0);
+  State state = kind == TimeScale::Kind::decays ? one() : body(1.0, 0.0);
   const double t_end = steps * control.step;
-  const Outcome outcome = kind == TimeScale::Kind::decays ? integrate(decay, state, t_end, scheme, control, observe)
-                                                          : integrate(spring, state, t_end, scheme, control, observe);
-  return outcome.status != Status::failed ? largest : std::numeric_limits<double>::infinity();
+  const Outcome outcome = kind == TimeScale::Kind::decays ? run(Decay{}, state, t_end, scheme, control, observe)
+                                                          : run(Spring{}, state, t_end, scheme, control, observe);
+  return outcome.status != Status::failed ? largest : infinity;
 }
 
 template <class C>
@@ -119,7 +94,7 @@ BOOST_AUTO_TEST_SUITE(PhiFamily_)
 
 // Backward Euler on r'' = -r from (1, 2) with Dt = 1/2: r = (1 + 1)/(1 + 1/4), v = (r - 1)/(1/2).
 BOOST_AUTO_TEST_CASE(takes_the_step_of_the_monograph_at_phi_one) {
-  const State to = stepped(BackwardEuler{}, Spring{}, at(1.0, 2.0), 0.5);
+  const State to = stepped(BackwardEuler{}, Spring{}, body(1.0, 2.0), 0.5);
   BOOST_TEST(to.t == 0.5);
   BOOST_TEST(to.r[0] == 1.6, tolerance(1e-15));
   BOOST_TEST(to.v[0] == 1.2, tolerance(1e-15));
@@ -127,42 +102,41 @@ BOOST_AUTO_TEST_CASE(takes_the_step_of_the_monograph_at_phi_one) {
 
 // Trapezoidal on r'' = -r, z = Dt/2 = 1/4: r = (r (1 - z^2) + 2 z v)/(1 + z^2), v = (v (1 - z^2) - 2 z r)/(1 + z^2).
 BOOST_AUTO_TEST_CASE(takes_the_trapezoidal_step_at_one_half) {
-  const State to = stepped(PhiFamily<>(0.5), Spring{}, at(1.0, 2.0), 0.5);
+  const State to = stepped(PhiFamily<>(0.5), Spring{}, body(1.0, 2.0), 0.5);
   BOOST_TEST(to.r[0] == (0.9375 + 1.0) / 1.0625, tolerance(1e-15));
   BOOST_TEST(to.v[0] == (1.875 - 0.5) / 1.0625, tolerance(1e-15));
 }
 
 // Unknowns R, V of one step with phi = 1/4, Dt = 1: V = 2 - (R + 3)/4, R = 1 + (V + 6)/4: R = 45/17, V = 2 - 24/17.
 BOOST_AUTO_TEST_CASE(weighs_start_and_end_by_phi) {
-  const State to = stepped(PhiFamily<>(0.25), Spring{}, at(1.0, 2.0), 1.0);
+  const State to = stepped(PhiFamily<>(0.25), Spring{}, body(1.0, 2.0), 1.0);
   BOOST_TEST(to.r[0] == 45.0 / 17.0, tolerance(1e-14));
   BOOST_TEST(to.v[0] == 2.0 - 24.0 / 17.0, tolerance(1e-14));
 }
 
 BOOST_AUTO_TEST_CASE(is_forward_euler_at_phi_zero) {
-  const State to = stepped(PhiFamily<>(0.0), Spring{}, at(1.0, 2.0), 0.5);
+  const State to = stepped(PhiFamily<>(0.0), Spring{}, body(1.0, 2.0), 0.5);
   BOOST_TEST(to.r[0] == 2.0);
   BOOST_TEST(to.v[0] == 1.5);
 }
 
 BOOST_AUTO_TEST_CASE(solves_forces_that_depend_on_velocities) {
-  const State to = stepped(BackwardEuler{}, Drag{0.5}, at(1.0, 3.0), 0.5);
+  const State to = stepped(BackwardEuler{}, Drag{0.5}, body(1.0, 3.0), 0.5);
   BOOST_TEST(to.v[0] == 3.0 / 1.25, tolerance(1e-15));
   BOOST_TEST(to.r[0] == 1.0 + 0.5 * 3.0 / 1.25, tolerance(1e-15));
 }
 
 // Far from the origin positions are blind to a change of the velocity that is still going on.
 BOOST_AUTO_TEST_CASE(sees_velocities_converge_where_positions_are_blind) {
-  const State to = stepped(BackwardEuler{}, Drag{500.0}, at(1e12, 3.0), 1e-3);
+  const State to = stepped(BackwardEuler{}, Drag{500.0}, body(1e12, 3.0), 1e-3);
   BOOST_TEST(to.v[0] == 3.0 / 1.5, tolerance(1e-12));
 }
 
 BOOST_AUTO_TEST_CASE(begins_with_free_flight_and_sweeps_force_then_velocity_then_position) {
   const Spring problem;
   BackwardEuler scheme;
-  const State from = at(1.0, 2.0);
-  State to;
-  BOOST_TEST(scheme.predict(problem, from, 0.5, to));
+  const State from = body(1.0, 2.0);
+  State to = predicted(scheme, problem, from, 0.5);
   BOOST_TEST(to.r[0] == 2.0);
   BOOST_TEST(to.v[0] == 2.0);
   const Iteration first = scheme.sweep(problem, from, 0.5, to);
@@ -181,22 +155,16 @@ BOOST_AUTO_TEST_CASE(knows_the_exponent_of_its_contraction) {
   const Drag drag;
   const Decay decay;
   BackwardEuler scheme;
-  State moved;
-  scheme.predict(drag, at(1.0, 2.0), 0.5, moved);
-  BOOST_TEST(scheme.sweep(drag, at(1.0, 2.0), 0.5, moved).p == 1);
-  State values;
-  const State from{.t = 0.0, .y = Eigen::VectorXd::Ones(1)};
-  scheme.predict(decay, from, 0.5, values);
-  BOOST_TEST(scheme.sweep(decay, from, 0.5, values).p == 1);
+  State moved = predicted(scheme, drag, body(1.0, 2.0), 0.5);
+  BOOST_TEST(scheme.sweep(drag, body(1.0, 2.0), 0.5, moved).p == 1);
+  State values = predicted(scheme, decay, one(), 0.5);
+  BOOST_TEST(scheme.sweep(decay, one(), 0.5, values).p == 1);
 }
 
 BOOST_AUTO_TEST_CASE(solves_first_order_problems) {
   for (const double phi : {1.0, 0.5}) {
-    State state{.t = 0.0, .y = Eigen::VectorXd::Constant(1, 2.0)};
-    const Decay problem;
-    PhiFamily<> scheme(phi);
-    FixedStep control{.step = 0.5};
-    BOOST_REQUIRE(integrate(problem, state, 0.5, scheme, control).steps == 1);
+    State state = one(2.0);
+    BOOST_REQUIRE(run(Decay{}, state, 0.5, PhiFamily<>(phi), FixedStep{.step = 0.5}).steps == 1);
     BOOST_TEST(state.y[0] == 2.0 * (1.0 - 0.5 * (1.0 - phi)) / (1.0 + 0.5 * phi), tolerance(1e-15));
   }
 }
@@ -213,29 +181,23 @@ BOOST_AUTO_TEST_CASE(has_order_one_and_order_two_at_one_half) {
 
 BOOST_AUTO_TEST_CASE(comes_to_the_same_step_by_anderson_and_where_picard_diverges) {
   for (const double phi : {1.0, 0.5}) {
-    const State plain = stepped(PhiFamily<>(phi), Spring{}, at(1.0, 2.0), 0.5);
-    const State mixed = stepped(PhiFamily<Anderson>(phi), Spring{}, at(1.0, 2.0), 0.5);
-    BOOST_TEST(close(mixed.r, plain.r, {.relative = 1e-14}));
-    BOOST_TEST(close(mixed.v, plain.v, {.relative = 1e-14}));
+    const State plain = stepped(PhiFamily<>(phi), Spring{}, body(1.0, 2.0), 0.5);
+    const State mixed = stepped(PhiFamily<Anderson>(phi), Spring{}, body(1.0, 2.0), 0.5);
+    BOOST_TEST(close(flat(mixed), flat(plain), {.relative = 1e-14}));
   }
-  const State beyond = stepped(PhiFamily<Anderson>(), Spring{100.0}, at(1.0, 2.0), 0.5);
+  const State beyond = stepped(PhiFamily<Anderson>(), Spring{100.0}, body(1.0, 2.0), 0.5);
   BOOST_TEST(beyond.r[0] == 2.0 / 26.0, tolerance(1e-12));
   BOOST_TEST(beyond.v[0] == (beyond.r[0] - 1.0) / 0.5, tolerance(1e-12));
 }
 
 BOOST_AUTO_TEST_CASE(brings_nothing_of_one_step_into_the_next) {
   const Spring spring{4.0};
-  PhiFamily<Anderson> used;
-  State to;
-  used.predict(spring, at(-3.0, 7.0), 0.25, to);
-  for (int k = 0; k < 2; ++k) used.sweep(spring, at(-3.0, 7.0), 0.25, to);
-  PhiFamily<Anderson> fresh;
-  State again;
-  used.predict(spring, at(1.0, 2.0), 0.5, to);
-  fresh.predict(spring, at(1.0, 2.0), 0.5, again);
+  PhiFamily<Anderson> used, fresh;
+  swept(used, spring, body(-3.0, 7.0), 0.25, 2);
+  State to = predicted(used, spring, body(1.0, 2.0), 0.5), again = predicted(fresh, spring, body(1.0, 2.0), 0.5);
   for (int k = 0; k < 2; ++k) {
-    const Iteration one = used.sweep(spring, at(1.0, 2.0), 0.5, to);
-    const Iteration other = fresh.sweep(spring, at(1.0, 2.0), 0.5, again);
+    const Iteration one = used.sweep(spring, body(1.0, 2.0), 0.5, to);
+    const Iteration other = fresh.sweep(spring, body(1.0, 2.0), 0.5, again);
     BOOST_TEST(to.r[0] == again.r[0]);
     BOOST_TEST(one.w_K == other.w_K);
     BOOST_TEST(one.rate == other.rate);
@@ -248,19 +210,18 @@ BOOST_AUTO_TEST_CASE(asks_once_a_sweep_and_for_the_start_unless_phi_is_one) {
     long evaluations = 0;
     const Problem counted(spring, &evaluations);
     PhiFamily<> scheme(phi);
-    State to;
-    scheme.predict(counted, at(1.0, 2.0), 0.5, to);
+    State to = predicted(scheme, counted, body(1.0, 2.0), 0.5);
     BOOST_TEST(evaluations == (phi < 1.0 ? 1 : 0));
-    scheme.sweep(counted, at(1.0, 2.0), 0.5, to);
-    scheme.sweep(counted, at(1.0, 2.0), 0.5, to);
+    scheme.sweep(counted, body(1.0, 2.0), 0.5, to);
+    scheme.sweep(counted, body(1.0, 2.0), 0.5, to);
     BOOST_TEST(evaluations == (phi < 1.0 ? 3 : 2));
   }
 }
 
 BOOST_AUTO_TEST_CASE(says_that_there_is_no_value_at_the_start_or_at_an_iterate) {
   const Ending problem;
-  State to, late = at(1.0, 2.0);
-  late.t = 2.0;
+  State to;
+  const State late = body(1.0, 2.0, 2.0);
   PhiFamily<> trapezoidal(0.5), backward;
   BOOST_TEST(!trapezoidal.predict(problem, late, 0.5, to));
   BOOST_TEST(backward.predict(problem, late, 0.5, to));
@@ -303,8 +264,8 @@ BOOST_AUTO_TEST_CASE(spans_no_oscillation_below_one_half) {
 }
 
 BOOST_AUTO_TEST_CASE(refuses_a_weight_that_is_none) {
-  BOOST_CHECK_EXCEPTION(PhiFamily<>(1.5), std::invalid_argument, says("phi must be in [0, 1], got 1.5"));
-  BOOST_CHECK_EXCEPTION(PhiFamily<>(std::numeric_limits<double>::quiet_NaN()), std::invalid_argument, says("got nan"));
+  CHECK_REFUSED(PhiFamily<>(1.5), "phi must be in [0, 1], got 1.5");
+  CHECK_REFUSED(PhiFamily<>(not_a_number), "got nan");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,12 +1,12 @@
 #include <particulate/schemes/problem.hpp>
 
 #include <optional>
-#include <stdexcept>
 #include <vector>
 
 #include <Eigen/SparseCore>
 
 #include "close.hpp"
+#include "problems.hpp"
 
 namespace tests::problem_test {
 
@@ -358,15 +358,8 @@ BOOST_AUTO_TEST_CASE(gives_the_time_scales_of_a_state) {
 }
 
 BOOST_AUTO_TEST_CASE(serves_a_problem_that_is_constant) {
-  struct Spring {
-    double stiffness = 3.0;
-    bool acceleration(double, In r, Out a) const {
-      a = -stiffness * r;
-      return true;
-    }
-  };
-  const Spring constant;
-  Spring changing;
+  const Spring constant{3.0};
+  Spring changing{3.0};
   const Problem of_constant(constant), of_changing(changing);
   changing.stiffness = 5.0;  // nothing was copied
   Rates rates;
@@ -397,7 +390,7 @@ BOOST_AUTO_TEST_CASE(that_do_not_make_up_the_values_are_refused) {
   const auto refuses = [](std::vector<Range> given, const char* words) {
     Coupled coupled;
     coupled.given = std::move(given);
-    BOOST_CHECK_EXCEPTION((void)Problem(coupled).ranges(3), std::invalid_argument, says(words));
+    CHECK_REFUSED(Problem(coupled).ranges(3), words);
   };
   const Range heat{.name = "heat", .first = 0, .size = 1};
   refuses({heat, {.name = "charge", .first = 2, .size = 1}}, "charge begins at 2 where 1 is next");

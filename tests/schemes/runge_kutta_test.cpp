@@ -1,20 +1,17 @@
 #include <particulate/schemes/runge_kutta.hpp>
 
 #include <cmath>
-#include <limits>
 
 #include <particulate/schemes/fixed_step.hpp>
 #include <particulate/schemes/integrate.hpp>
 
 #include "close.hpp"
 #include "order.hpp"
+#include "problems.hpp"
 
 namespace tests::runge_kutta_test {
 
-using boost::test_tools::tolerance;
 using namespace particulate::schemes;
-
-constexpr double eps = std::numeric_limits<double>::epsilon();
 
 // y_0 = exp(sin t) and y_1 = 1/(1 + t^2).
 struct Growing {
@@ -26,19 +23,6 @@ struct Growing {
   static State at(double t) { return {.t = t, .y = Eigen::Vector2d(std::exp(std::sin(t)), 1.0 / (1.0 + t * t))}; }
 };
 
-// r_0 = 1/(1 + t) and r_1 = cos t.
-struct Driven {
-  bool acceleration(double t, In r, Out a) const {
-    a[0] = 2.0 * r[0] * r[0] * r[0];
-    a[1] = 3.0 * std::cos(t) - 4.0 * r[1];
-    return true;
-  }
-  static State at(double t) {
-    const double s = 1.0 / (1.0 + t);
-    return {.t = t, .r = Eigen::Vector2d(s, std::cos(t)), .v = Eigen::Vector2d(-s * s, -std::sin(t))};
-  }
-};
-
 // r = exp(-0.3 t) cos t.
 struct Damped {
   bool acceleration(double, In r, In v, Out a) const {
@@ -47,9 +31,7 @@ struct Damped {
   }
   static State at(double t) {
     const double fading = std::exp(-0.3 * t);
-    return {.t = t,
-            .r = Eigen::VectorXd::Constant(1, fading * std::cos(t)),
-            .v = Eigen::VectorXd::Constant(1, -fading * (0.3 * std::cos(t) + std::sin(t)))};
+    return body(fading * std::cos(t), -fading * (0.3 * std::cos(t) + std::sin(t)), t);
   }
 };
 
@@ -71,14 +53,7 @@ struct Polynomial {
   }
 };
 
-// Have no value from their n-th call on.
-struct FailingMotion {
-  int n;
-  bool acceleration(double, In r, Out a) {
-    a = -r;
-    return --n > 0;
-  }
-};
+// No value from its n-th call on.
 struct FailingValues {
   int n;
   bool rate(double, In y, Out dy) {
@@ -87,18 +62,14 @@ struct FailingValues {
   }
 };
 
-double error(const State& a, const State& b) { return (flat(a) - flat(b)).norm(); }
-
 template <class P>
 double error_after(const P& problem, int steps) {
   const double t_end = 1.7;
-  auto state = P::at(0.0);
-  RungeKutta4 scheme;
-  FixedStep control{.step = t_end / steps};
-  const Outcome outcome = integrate(problem, state, t_end, scheme, control);
+  State state = P::at(0.0);
+  const Outcome outcome = run(problem, state, t_end, RungeKutta4(), FixedStep{.step = t_end / steps});
   BOOST_REQUIRE(outcome.steps == steps);
   BOOST_REQUIRE(outcome.evaluations == 4 * steps);
-  return error(state, P::at(t_end));
+  return (flat(state) - flat(P::at(t_end))).norm();
 }
 
 template <class P>
@@ -106,57 +77,30 @@ double order_on(const P& problem) {
   return observed_order([&](int steps) { return error_after(problem, steps); }, {20, 30, 45, 68, 100});
 }
 
-State still() { return {.t = 0.0, .r = Eigen::VectorXd::Zero(1), .v = Eigen::VectorXd::Zero(1)}; }
-
 BOOST_AUTO_TEST_SUITE(RungeKutta4_)
 
 // y' = y, Dt = 1: 1 + 1 + 1/2 + 1/6 + 1/24 = 65/24.
 BOOST_AUTO_TEST_CASE(takes_the_first_five_terms_of_the_exponential) {
-  struct Exponential {
-    bool rate(double, In y, Out dy) const {
-      dy = y;
-      return true;
-    }
-  } problem;
-  RungeKutta4 scheme;
-  State to;
-  BOOST_TEST(scheme.predict(problem, State{.t = 2.0, .y = Eigen::VectorXd::Ones(1)}, 1.0, to));
+  const State to = predicted(RungeKutta4(), Decay{-1.0}, one(1.0, 2.0), 1.0);
   BOOST_TEST(to.t == 3.0);
   BOOST_TEST(to.y[0] == 65.0 / 24.0, tolerance(2.0 * eps));
 }
 
 // r'' = -r from (1, 0), Dt = 1: r = 1 - 1/2 + 1/24, v = -1 + 1/6.
 BOOST_AUTO_TEST_CASE(takes_the_first_five_terms_of_the_circle) {
-  struct Spring {
-    bool acceleration(double, In r, Out a) const {
-      a = -r;
-      return true;
-    }
-  } problem;
-  RungeKutta4 scheme;
-  State to;
-  BOOST_TEST(
-      scheme.predict(problem, State{.t = 0.0, .r = Eigen::VectorXd::Ones(1), .v = Eigen::VectorXd::Zero(1)}, 1.0, to));
+  const State to = predicted(RungeKutta4(), Spring{}, displaced(), 1.0);
   BOOST_TEST(to.r[0] == 13.0 / 24.0, tolerance(2.0 * eps));
   BOOST_TEST(to.v[0] == -5.0 / 6.0, tolerance(2.0 * eps));
 }
 
 BOOST_AUTO_TEST_CASE(is_exact_for_polynomials_up_to_degree_four) {
-  RungeKutta4 scheme;
   for (int n = 0; n <= 3; ++n) {
-    State to;
-    const Polynomial problem{n};
-    BOOST_TEST(
-        scheme.predict(problem, State{.t = 0.5, .y = Eigen::VectorXd::Constant(1, std::pow(0.5, n + 1))}, 1.5, to));
+    const State to = predicted(RungeKutta4(), Polynomial{n}, one(std::pow(0.5, n + 1), 0.5), 1.5);
     BOOST_TEST(to.y[0] == std::pow(2.0, n + 1), tolerance(4.0 * eps));
   }
   for (int n = 0; n <= 2; ++n) {
-    State to;
-    const Thrown problem{n};
-    const State from{.t = 0.5,
-                     .r = Eigen::VectorXd::Constant(1, std::pow(0.5, n + 2)),
-                     .v = Eigen::VectorXd::Constant(1, (n + 2) * std::pow(0.5, n + 1))};
-    BOOST_TEST(scheme.predict(problem, from, 1.5, to));
+    const State from = body(std::pow(0.5, n + 2), (n + 2) * std::pow(0.5, n + 1), 0.5);
+    const State to = predicted(RungeKutta4(), Thrown{n}, from, 1.5);
     BOOST_TEST(to.r[0] == std::pow(2.0, n + 2), tolerance(4.0 * eps));
     BOOST_TEST(to.v[0] == (n + 2) * std::pow(2.0, n + 1), tolerance(4.0 * eps));
   }
@@ -164,14 +108,9 @@ BOOST_AUTO_TEST_CASE(is_exact_for_polynomials_up_to_degree_four) {
 
 // Simpson's rule makes 25/24 of 1 from 5 t^4; two thirds of the middle make 20/24 of 1 from 20 t^3.
 BOOST_AUTO_TEST_CASE(is_not_exact_one_degree_higher) {
-  const Polynomial quartic{4};
-  const Thrown cubic{3};
-  RungeKutta4 scheme;
-  State values;
-  State motion;
-  BOOST_TEST(scheme.predict(quartic, State{.t = 0.0, .y = Eigen::VectorXd::Zero(1)}, 1.0, values));
+  const State values = predicted(RungeKutta4(), Polynomial{4}, one(0.0), 1.0);
   BOOST_TEST(values.y[0] == 25.0 / 24.0, tolerance(2.0 * eps));
-  BOOST_TEST(scheme.predict(cubic, still(), 1.0, motion));
+  const State motion = predicted(RungeKutta4(), Thrown{3}, body(0.0, 0.0), 1.0);
   BOOST_TEST(motion.r[0] == 5.0 / 6.0, tolerance(2.0 * eps));
   BOOST_TEST(motion.v[0] == 5.0, tolerance(2.0 * eps));
 }
@@ -191,12 +130,11 @@ BOOST_AUTO_TEST_CASE(has_order_four_for_forces_that_depend_on_velocity) {
 BOOST_AUTO_TEST_CASE(says_at_every_stage_that_there_is_no_value) {
   RungeKutta4 scheme;
   for (int n = 1; n <= 5; ++n) {
-    FailingMotion moving{n};
-    State motion;
-    BOOST_TEST(scheme.predict(moving, still(), 0.1, motion) == (n == 5));
+    Failing moving{n};
     FailingValues growing{n};
-    State values;
-    BOOST_TEST(scheme.predict(growing, State{.t = 0.0, .y = Eigen::VectorXd::Zero(1)}, 0.1, values) == (n == 5));
+    State motion, values;
+    BOOST_TEST(scheme.predict(moving, body(0.0, 0.0), 0.1, motion) == (n == 5));
+    BOOST_TEST(scheme.predict(growing, one(0.0), 0.1, values) == (n == 5));
   }
 }
 
@@ -212,55 +150,31 @@ BOOST_AUTO_TEST_CASE(continues_from_a_copy_to_the_same_bits) {
   RungeKutta4 copied = scheme;
   BOOST_TEST(integrate(problem, state, 2.0, scheme, control).steps == 8);
   BOOST_TEST(integrate(problem, checkpoint, 2.0, copied, control).steps == 8);
-  BOOST_TEST(close(checkpoint.r, state.r, {}));
-  BOOST_TEST(close(checkpoint.v, state.v, {}));
-  BOOST_TEST(close(whole.r, state.r, {}));
-  BOOST_TEST(close(whole.v, state.v, {}));
+  BOOST_TEST(close(flat(checkpoint), flat(state), {}));
+  BOOST_TEST(close(flat(whole), flat(state), {}));
 }
 
 // |R(i z)| = 1 at z = 2 sqrt 2.
 BOOST_AUTO_TEST_CASE(is_stable_on_an_oscillator_up_to_its_limit_only) {
-  struct Spring {
-    bool acceleration(double, In r, Out a) const {
-      a = -r;
-      return true;
-    }
-  } problem;
   for (const double factor : {0.99, 1.01}) {
-    State state{.t = 0.0, .r = Eigen::VectorXd::Ones(1), .v = Eigen::VectorXd::Zero(1)};
-    RungeKutta4 scheme;
+    State state = displaced();
     FixedStep control{.step = factor * 2.0 * std::sqrt(2.0)};
-    BOOST_TEST(integrate(problem, state, 200.0 * control.step, scheme, control).steps == 200);
+    BOOST_TEST(run(Spring{}, state, 200.0 * control.step, RungeKutta4(), control).steps == 200);
     BOOST_TEST((std::hypot(state.r[0], state.v[0]) < 1.0) == (factor < 1.0));
   }
 }
 
 // Amplitude after 2000 steps of the multiple of the limit that spans() gives, by a hair within or beyond it.
 BOOST_AUTO_TEST_CASE(spans_of_an_oscillation_and_of_a_decay_what_it_can_and_no_more) {
-  struct Spring {
-    bool acceleration(double, In r, Out a) const {
-      a = -r;
-      return true;
-    }
-  } spring;
-  struct Decay {
-    bool rate(double, In y, Out dy) const {
-      dy = -y;
-      return true;
-    }
-  } decay;
   const auto amplitude = [](const auto& problem, State state, TimeScale::Kind kind, double factor) {
-    RungeKutta4 scheme;
     FixedStep control{.step = factor * RungeKutta4::spans(kind, 0)};
-    BOOST_TEST(integrate(problem, state, 2000.0 * control.step, scheme, control).steps == 2000);
+    BOOST_TEST(run(problem, state, 2000.0 * control.step, RungeKutta4(), control).steps == 2000);
     return flat(state).norm();
   };
-  const State displaced{.r = Eigen::VectorXd::Ones(1), .v = Eigen::VectorXd::Zero(1)};
-  BOOST_TEST(amplitude(spring, displaced, TimeScale::Kind::oscillates, 1.0 - 1e-3) < 1e-4);
-  BOOST_TEST(amplitude(spring, displaced, TimeScale::Kind::oscillates, 1.0 + 1e-3) > 1e4);
-  const State one{.y = Eigen::VectorXd::Ones(1)};
-  BOOST_TEST(amplitude(decay, one, TimeScale::Kind::decays, 1.0 - 1e-3) < 1e-3);
-  BOOST_TEST(amplitude(decay, one, TimeScale::Kind::decays, 1.0 + 1e-3) > 1e3);
+  BOOST_TEST(amplitude(Spring{}, displaced(), TimeScale::Kind::oscillates, 1.0 - 1e-3) < 1e-4);
+  BOOST_TEST(amplitude(Spring{}, displaced(), TimeScale::Kind::oscillates, 1.0 + 1e-3) > 1e4);
+  BOOST_TEST(amplitude(Decay{}, one(), TimeScale::Kind::decays, 1.0 - 1e-3) < 1e-3);
+  BOOST_TEST(amplitude(Decay{}, one(), TimeScale::Kind::decays, 1.0 + 1e-3) > 1e3);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -9,29 +9,11 @@
 #include <particulate/schemes/verlet.hpp>
 
 #include "close.hpp"
+#include "problems.hpp"
 
 namespace tests::scheme_test {
 
 using namespace particulate::schemes;
-
-struct Spring {
-  bool acceleration(double, In r, Out a) const {
-    a = -r;
-    return true;
-  }
-};
-struct Damped {
-  bool acceleration(double, In r, In v, Out a) const {
-    a = -r - v;
-    return true;
-  }
-};
-struct Decay {
-  bool rate(double, In y, Out dy) const {
-    dy = -y;
-    return true;
-  }
-};
 
 // Fields alone, without a rate of all of them.
 struct Fields {

@@ -1,15 +1,11 @@
 #include <particulate/schemes/state.hpp>
 
-#include <limits>
-
 #include "close.hpp"
+#include "problems.hpp"
 
 namespace tests::state_test {
 
 using namespace particulate::schemes;
-
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // Every number is another one.
 State numbered() {
@@ -28,8 +24,7 @@ BOOST_AUTO_TEST_CASE(puts_places_before_velocities_before_values) {
 
 BOOST_AUTO_TEST_CASE(leaves_out_what_is_not_there) {
   BOOST_TEST(close(flat({.y = Eigen::Vector2d(8.0, 9.0)}), Eigen::Vector2d(8.0, 9.0), {}));
-  BOOST_TEST(
-      close(flat({.r = Eigen::VectorXd::Ones(1), .v = Eigen::VectorXd::Zero(1)}), Eigen::Vector2d(1.0, 0.0), {}));
+  BOOST_TEST(close(flat(displaced()), Eigen::Vector2d(1.0, 0.0), {}));
   BOOST_TEST(flat(State{}).size() == 0);
 }
 

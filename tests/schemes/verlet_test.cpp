@@ -8,65 +8,36 @@
 
 #include "close.hpp"
 #include "order.hpp"
+#include "problems.hpp"
 
 namespace tests::verlet_test {
 
-using boost::test_tools::tolerance;
 using namespace particulate::schemes;
-
-struct Spring {
-  double stiffness = 1.0;
-  bool acceleration(double, In r, Out a) const {
-    a = -stiffness * r;
-    return true;
-  }
-};
-
-// r_0 = 1/(1 + t) and r_1 = cos t.
-struct Driven {
-  bool acceleration(double t, In r, Out a) const {
-    a[0] = 2.0 * r[0] * r[0] * r[0];
-    a[1] = 3.0 * std::cos(t) - 4.0 * r[1];
-    return true;
-  }
-  static State at(double t) {
-    const double s = 1.0 / (1.0 + t);
-    return {.t = t, .r = Eigen::Vector2d(s, std::cos(t)), .v = Eigen::Vector2d(-s * s, -std::sin(t))};
-  }
-};
 
 double error_after(int steps) {
   const double t_end = 1.7;
   State state = Driven::at(0.0);
-  VelocityVerlet scheme;
-  FixedStep control{.step = t_end / steps};
-  const Driven problem;
-  const Outcome outcome = integrate(problem, state, t_end, scheme, control);
+  const Outcome outcome = run(Driven{}, state, t_end, VelocityVerlet(), FixedStep{.step = t_end / steps});
   BOOST_REQUIRE(outcome.steps == steps);
-  const State exact = Driven::at(t_end);
-  return std::hypot((state.r - exact.r).norm(), (state.v - exact.v).norm());
+  return (flat(state) - flat(Driven::at(t_end))).norm();
 }
-
-State displaced() { return {.t = 0.0, .r = Eigen::VectorXd::Ones(1), .v = Eigen::VectorXd::Zero(1)}; }
 
 // One accepted step.
 template <class P>
 State stepped(VelocityVerlet& scheme, const P& problem, const State& from, double dt) {
-  State to;
-  BOOST_REQUIRE(scheme.predict(problem, from, dt, to));
+  State to = predicted(scheme, problem, from, dt);
   scheme.accept(dt);
   return to;
 }
 
 void same_bits(const State& a, const State& b) {
   BOOST_TEST(a.t == b.t);
-  BOOST_TEST(close(a.r, b.r, {}));
-  BOOST_TEST(close(a.v, b.v, {}));
+  BOOST_TEST(close(flat(a), flat(b), {}));
 }
 
 // What a scheme without history makes of the step: the same as one with history, unless that is stale.
 template <class P>
-void steps_as_if_new(VelocityVerlet scheme, P& problem, const State& from) {
+void steps_as_if_new(VelocityVerlet scheme, const P& problem, const State& from) {
   VelocityVerlet fresh;
   same_bits(stepped(scheme, problem, from, 0.25), stepped(fresh, problem, from, 0.25));
 }
@@ -76,8 +47,7 @@ BOOST_AUTO_TEST_SUITE(VelocityVerlet_)
 // r'' = -r from (1, 0), Dt = 1/2: r = 1 - 1/8, v = -(1 + 7/8)/4.
 BOOST_AUTO_TEST_CASE(takes_a_step_as_multiplied_out_by_hand) {
   VelocityVerlet scheme;
-  const Spring problem;
-  const State to = stepped(scheme, problem, displaced(), 0.5);
+  const State to = stepped(scheme, Spring{}, displaced(), 0.5);
   BOOST_TEST(to.t == 0.5);
   BOOST_TEST(to.r[0] == 0.875);
   BOOST_TEST(to.v[0] == -0.46875);
@@ -93,11 +63,9 @@ BOOST_AUTO_TEST_CASE(is_exact_for_constant_acceleration_only) {
     }
   };
   VelocityVerlet scheme;
-  const State rest{.t = 0.0, .r = Eigen::VectorXd::Zero(1), .v = Eigen::VectorXd::Zero(1)};
-  const Ramp constant{0.0}, ramp{1.0};
-  BOOST_TEST(stepped(scheme, constant, rest, 3.0).r[0] == 4.5);
+  BOOST_TEST(stepped(scheme, Ramp{0.0}, body(0.0, 0.0), 3.0).r[0] == 4.5);
   scheme.forget();
-  const State to = stepped(scheme, ramp, rest, 2.0);
+  const State to = stepped(scheme, Ramp{1.0}, body(0.0, 0.0), 2.0);
   BOOST_TEST(to.v[0] == 2.0);
   BOOST_TEST(to.r[0] == 0.0);
 }
@@ -122,8 +90,8 @@ BOOST_AUTO_TEST_CASE(retraces_its_steps_when_velocities_are_turned) {
   BOOST_TEST((state.r - start.r).norm() > 0.01);
   state.v = -state.v;
   BOOST_TEST(integrate(anharmonic, state, 10.0, scheme, control).steps == 40);
-  BOOST_TEST(close(state.r, start.r, {.absolute = 1e-13}));
-  BOOST_TEST(close(state.v, -start.v, {.absolute = 1e-13}));
+  state.v = -state.v;
+  BOOST_TEST(close(flat(state), flat(start), {.absolute = 1e-13}));
 }
 
 // Dt^2/4 of the energy comes and goes, none is lost: v^2 + r^2 (1 - Dt^2/4) is kept exactly.
@@ -143,9 +111,8 @@ BOOST_AUTO_TEST_CASE(is_stable_on_an_oscillator_up_to_its_limit_only) {
   const Spring problem;
   for (const double factor : {0.99, 1.01}) {
     State state = displaced();
-    VelocityVerlet scheme;
     FixedStep control{.step = factor * 2.0};
-    BOOST_TEST(integrate(problem, state, 200.0 * control.step, scheme, control).steps == 200);
+    BOOST_TEST(run(problem, state, 200.0 * control.step, VelocityVerlet(), control).steps == 200);
     BOOST_TEST((std::abs(state.r[0]) < 2.0) == (factor < 1.0));
   }
 }
@@ -156,14 +123,13 @@ BOOST_AUTO_TEST_CASE(spans_of_an_oscillation_what_it_can_and_no_more) {
   const Spring problem;
   for (const double factor : {1.0 - 1e-3, 1.0 + 1e-3}) {
     State state = displaced();
-    VelocityVerlet scheme;
     FixedStep control{.step = factor * VelocityVerlet::spans(TimeScale::Kind::oscillates, 0)};
     double largest = 0.0;
     const auto observe = [&](const State&, const State& to, double, const VelocityVerlet&) {
       largest = std::max(largest, std::abs(to.r[0]));
       return true;
     };
-    BOOST_TEST(integrate(problem, state, 2000.0 * control.step, scheme, control, observe).steps == 2000);
+    BOOST_TEST(run(problem, state, 2000.0 * control.step, VelocityVerlet(), control, observe).steps == 2000);
     BOOST_TEST((factor < 1.0 ? largest < 30.0 : largest > 1e60));
   }
   BOOST_TEST(std::isinf(VelocityVerlet::spans(TimeScale::Kind::decays, 0)));  // it advances none
@@ -194,9 +160,8 @@ BOOST_AUTO_TEST_CASE(uses_no_stale_acceleration_where_positions_or_time_were_cha
   State faster = kept;
   faster.v *= 2.0;
   steps_as_if_new(scheme, problem, faster);
-  const Spring other;
   const State longer{.t = kept.t, .r = Eigen::VectorXd::Ones(7), .v = Eigen::VectorXd::Zero(7)};
-  steps_as_if_new(scheme, other, longer);
+  steps_as_if_new(scheme, Spring{}, longer);
 }
 
 BOOST_AUTO_TEST_CASE(forgets_a_problem_that_was_changed) {
@@ -224,13 +189,6 @@ BOOST_AUTO_TEST_CASE(tries_a_refused_step_again_from_the_same_acceleration) {
 }
 
 BOOST_AUTO_TEST_CASE(says_that_there_is_no_value_at_either_end) {
-  struct Failing {
-    int n;
-    bool acceleration(double, In r, Out a) {
-      a = -r;
-      return --n > 0;
-    }
-  };
   for (int n = 1; n <= 3; ++n) {
     Failing problem{n};
     VelocityVerlet scheme;

@@ -16,7 +16,6 @@ struct Restitution {
 };
 
 /// Refuses constants that are no restitution law. Called once, where a law enters a scene.
-///
 /// @param law  the constants
 /// @throws std::invalid_argument naming the constant, what must hold and what was given
 void validate(const Restitution& law);
@@ -40,7 +39,6 @@ struct ConstantRestitution {
 };
 
 /// Refuses a coefficient that is none. Called once, where a law enters a scene.
-///
 /// @param law  the coefficient
 /// @throws std::invalid_argument saying what must hold and what was given
 void validate(const ConstantRestitution& law);

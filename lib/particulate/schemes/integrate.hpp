@@ -11,7 +11,6 @@
 namespace particulate::schemes {
 
 /// Refuses what no run can start from, naming it.
-///
 /// @param of     what the problem has
 /// @param state  the start; t finite, r, v and y finite, r and v of one length, no part that the problem does not have
 /// @param t_end  where to go, finite and not before the start [s]
@@ -69,31 +68,29 @@ constexpr SchemeTable scheme_table() {
   SchemeTable can{.order = S::order,
                   .advances = [](const Traits& of) { return S::advances(of); },
                   .predict = [](void* s, const Problem& p, const State& from, double dt,
-                                State& to) { return static_cast<S*>(s)->predict(p, from, dt, to); },
-                  .accept = [](void* s, double dt) { static_cast<S*>(s)->accept(dt); },
-                  .forget = [](void* s) { static_cast<S*>(s)->forget(); }};
+                                State& to) { return as<S>(s).predict(p, from, dt, to); },
+                  .accept = [](void* s, double dt) { as<S>(s).accept(dt); },
+                  .forget = [](void* s) { as<S>(s).forget(); }};
   if constexpr (Iterative<S>) {
     can.sweep = [](void* s, const Problem& p, const State& from, double dt, State& to) {
-      return static_cast<S*>(s)->sweep(p, from, dt, to);
+      return as<S>(s).sweep(p, from, dt, to);
     };
   }
   if constexpr (Measured<S>) {
-    can.iterations = [](const void* s) -> std::span<const Iteration> { return static_cast<const S*>(s)->iterations(); };
+    can.iterations = [](const void* s) -> std::span<const Iteration> { return as<S>(s).iterations(); };
   }
   if constexpr (EstimatesTruncation<S>) {
     can.truncation = [](void* s, const Problem& p, const State& from, double dt, const State& to) {
-      return static_cast<S*>(s)->truncation(p, from, dt, to);
+      return as<S>(s).truncation(p, from, dt, to);
     };
   }
   if constexpr (Dense<S>) {
     can.at = [](const void* s, const State& from, double dt, double theta, State& there) {
-      static_cast<const S*>(s)->at(from, dt, theta, there);
+      as<S>(s).at(from, dt, theta, there);
     };
   }
   if constexpr (Limited<S>) {
-    can.spans = [](const void* s, TimeScale::Kind kind, int sweeps) {
-      return static_cast<const S*>(s)->spans(kind, sweeps);
-    };
+    can.spans = [](const void* s, TimeScale::Kind kind, int sweeps) { return as<S>(s).spans(kind, sweeps); };
   }
   return can;
 }
@@ -115,19 +112,19 @@ template <Controller C>
 inline constexpr ControlTable control_table_of{
     .ignores_truncation = IgnoresTruncation<C>,
     .fixes_step = FixesStep<C>,
-    .validate = [](const void* c) { validate(*static_cast<const C*>(c)); },
-    .dt = [](const void* c) -> double { return static_cast<const C*>(c)->dt(); },
-    .goes_on = [](const void* c, const Iteration& it) { return static_cast<const C*>(c)->goes_on(it); },
-    .judge = [](void* c, const Attempt& made) { return static_cast<C*>(c)->judge(made); },
+    .validate = [](const void* c) { validate(as<C>(c)); },
+    .dt = [](const void* c) -> double { return as<C>(c).dt(); },
+    .goes_on = [](const void* c, const Iteration& it) { return as<C>(c).goes_on(it); },
+    .judge = [](void* c, const Attempt& made) { return as<C>(c).judge(made); },
     .judge_apart =
         [](void* c, const Attempt& made) {
-          C judging = *static_cast<C*>(c);
+          C judging = as<C>(c);
           Decision decision = judging.judge(made);
-          if (!decision.accepted) *static_cast<C*>(c) = std::move(judging);
+          if (!decision.accepted) as<C>(c) = std::move(judging);
           return decision;
         },
     .sweeps = [](const void* c) -> int {
-      if constexpr (FixesSweeps<C>) return static_cast<const C*>(c)->sweeps;
+      if constexpr (FixesSweeps<C>) return as<C>(c).sweeps;
       return 0;
     }};
 

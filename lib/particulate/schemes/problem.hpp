@@ -275,6 +275,16 @@ class Hook {
 
 namespace detail {
 
+// What stands behind an erased pointer.
+template <class T>
+T& as(void* erased) {
+  return *static_cast<T*>(erased);
+}
+template <class T>
+const T& as(const void* erased) {
+  return *static_cast<const T*>(erased);
+}
+
 // What a problem can do; what it cannot is null.
 struct Abilities {
   Traits traits;
@@ -300,28 +310,22 @@ template <class P>
 constexpr void add_right_hand_sides(Abilities& can) {
   if constexpr (CoupledProblem<P>) {
     can.rates = [](void* p, const Where& at, const Answers& to) {
-      return static_cast<P*>(p)->rates(at.t, at.r, at.v, at.y, Out(to.a), Out(to.dy));
+      return as<P>(p).rates(at.t, at.r, at.v, at.y, Out(to.a), Out(to.dy));
     };
   } else if constexpr (PositionProblem<P>) {
     can.rates = [](void* p, const Where& at, const Answers& to) {
-      return static_cast<P*>(p)->acceleration(at.t, at.r, Out(to.a));
+      return as<P>(p).acceleration(at.t, at.r, Out(to.a));
     };
   } else if constexpr (MotionProblem<P>) {
     can.rates = [](void* p, const Where& at, const Answers& to) {
-      return static_cast<P*>(p)->acceleration(at.t, at.r, at.v, Out(to.a));
+      return as<P>(p).acceleration(at.t, at.r, at.v, Out(to.a));
     };
   } else if constexpr (FirstOrderProblem<P>) {
-    can.rates = [](void* p, const Where& at, const Answers& to) {
-      return static_cast<P*>(p)->rate(at.t, at.y, Out(to.dy));
-    };
+    can.rates = [](void* p, const Where& at, const Answers& to) { return as<P>(p).rate(at.t, at.y, Out(to.dy)); };
   }
   if constexpr (Splits<P>) {
-    can.slow = [](void* p, const Where& at, const Answers& to) {
-      return static_cast<P*>(p)->rate_slow(at.t, at.y, Out(to.dy));
-    };
-    can.fast = [](void* p, const Where& at, const Answers& to) {
-      return static_cast<P*>(p)->rate_fast(at.t, at.y, Out(to.dy));
-    };
+    can.slow = [](void* p, const Where& at, const Answers& to) { return as<P>(p).rate_slow(at.t, at.y, Out(to.dy)); };
+    can.fast = [](void* p, const Where& at, const Answers& to) { return as<P>(p).rate_fast(at.t, at.y, Out(to.dy)); };
   }
 }
 
@@ -330,60 +334,54 @@ constexpr void add_jacobians(Abilities& can) {
   constexpr bool of_places = PositionProblem<P>;
   if constexpr (HasWholeJacobian<P>) {
     can.whole_jacobian = true;
-    can.jacobian = [](void* p, const Where& at, Eigen::MatrixXd& J) {
-      static_cast<P*>(p)->jacobian(at.t, at.r, at.v, at.y, J);
-    };
+    can.jacobian = [](void* p, const Where& at, Eigen::MatrixXd& J) { as<P>(p).jacobian(at.t, at.r, at.v, at.y, J); };
   } else if constexpr (HasJacobian<P> && (of_places || FirstOrderProblem<P>)) {
     can.jacobian = [](void* p, const Where& at, Eigen::MatrixXd& J) {
-      static_cast<P*>(p)->jacobian(at.t, of_places ? at.r : at.y, J);
+      as<P>(p).jacobian(at.t, of_places ? at.r : at.y, J);
     };
   }
   if constexpr (HasSparseJacobian<P> && (of_places || FirstOrderProblem<P>)) {
     can.sparse_jacobian = [](void* p, const Where& at, SparseJacobian& J) {
-      static_cast<P*>(p)->sparse_jacobian(at.t, of_places ? at.r : at.y, J);
+      as<P>(p).sparse_jacobian(at.t, of_places ? at.r : at.y, J);
     };
   }
   if constexpr (Banded<P>) {
-    can.bandwidth = [](const void* p) { return static_cast<const P*>(p)->bandwidth(); };
+    can.bandwidth = [](const void* p) { return as<P>(p).bandwidth(); };
   }
 }
 
 template <class P>
 constexpr void add_measures(Abilities& can) {
   if constexpr (Measures<P>) {
-    can.distance = [](const void* p, const In& x, const In& y) { return static_cast<const P*>(p)->distance(x, y); };
+    can.distance = [](const void* p, const In& x, const In& y) { return as<P>(p).distance(x, y); };
   }
   if constexpr (MeasuresFields<P>) {
     can.field_distance = [](const void* p, std::size_t k, const In& x, const In& y) {
-      return static_cast<const P*>(p)->distance(k, x, y);
+      return as<P>(p).distance(k, x, y);
     };
   }
   if constexpr (HasRanges<P>) {
-    can.ranges = [](const void* p) { return std::vector<Range>(static_cast<const P*>(p)->ranges()); };
+    can.ranges = [](const void* p) { return std::vector<Range>(as<P>(p).ranges()); };
   }
   if constexpr (HasStepLimits<P>) {
-    can.step_limits = [](void* p, const State& at) {
-      return std::vector<TimeScale>(static_cast<P*>(p)->step_limits(at));
-    };
+    can.step_limits = [](void* p, const State& at) { return std::vector<TimeScale>(as<P>(p).step_limits(at)); };
   }
 }
 
 template <class P>
 constexpr void add_jumps_and_fields(Abilities& can) {
   if constexpr (Jumps<P>) {
-    can.jump = [](void* p, State& at, double dt) { return static_cast<P*>(p)->jump(at, dt); };
+    can.jump = [](void* p, State& at, double dt) { return as<P>(p).jump(at, dt); };
   }
   if constexpr (LocatesJumps<P>) {
-    can.first_jump = [](void* p, const StepPath& path, double end) {
-      return static_cast<P*>(p)->first_jump(path, end);
-    };
+    can.first_jump = [](void* p, const StepPath& path, double end) { return as<P>(p).first_jump(path, end); };
   }
   if constexpr (StaggeredProblem<P>) {
-    can.fields = [](void* p) { return static_cast<P*>(p)->fields(); };
+    can.fields = [](void* p) { return as<P>(p).fields(); };
     can.solve = [](void* p, std::size_t k, const State& from, double dt, const State& seen, State& to) {
-      return static_cast<P*>(p)->solve(k, from, dt, seen, to);
+      return as<P>(p).solve(k, from, dt, seen, to);
     };
-    can.part = [](void* p, std::size_t k) { return static_cast<P*>(p)->part(k); };
+    can.part = [](void* p, std::size_t k) { return as<P>(p).part(k); };
   }
 }
 
@@ -439,16 +437,11 @@ class Problem {
   const Traits& traits() const { return can_->traits; }
 
   /// All rates at once.
-  ///
   /// @param at  where; a part that the problem does not have is empty
   /// @param to  receives the rates of what it has
   /// @return whether the problem has a value there
-  bool rates(const Where& at, const Answers& to) const {
-    if (count_) ++*count_;
-    return hook_ ? hook_->rates(bare(), Hook::Side::whole, at, to) : can_->rates(self_, at, to);
-  }
+  bool rates(const Where& at, const Answers& to) const { return ask(Hook::Side::whole, can_->rates, at, to); }
   /// The same, into vectors of the length that they need.
-  ///
   /// @param t   time [s]
   /// @param r   places [m]
   /// @param v   velocities [m/s]
@@ -467,15 +460,9 @@ class Problem {
   /// @return whether it has a slow and a fast part
   bool splits() const { return can_->slow; }
   /// @param at  where @param to receives the slow part @return whether it has a value there
-  bool rate_slow(const Where& at, const Answers& to) const {
-    if (count_) ++*count_;
-    return hook_ ? hook_->rates(bare(), Hook::Side::slow, at, to) : can_->slow(self_, at, to);
-  }
+  bool rate_slow(const Where& at, const Answers& to) const { return ask(Hook::Side::slow, can_->slow, at, to); }
   /// @param at  where @param to receives the fast part @return whether it has a value there
-  bool rate_fast(const Where& at, const Answers& to) const {
-    if (count_) ++*count_;
-    return hook_ ? hook_->rates(bare(), Hook::Side::fast, at, to) : can_->fast(self_, at, to);
-  }
+  bool rate_fast(const Where& at, const Answers& to) const { return ask(Hook::Side::fast, can_->fast, at, to); }
 
   /// @return whether it gives a Jacobian
   bool has_jacobian() const { return can_->jacobian; }
@@ -495,13 +482,11 @@ class Problem {
   }
 
   /// Distance in the problem's own measure, in the sum of absolute values without one.
-  ///
   /// @param x  places, or values where the problem has nothing else
   /// @param y  others, as many
   /// @return distance, >= 0, in their unit
   double distance(const In& x, const In& y) const;
   /// The same of one staggered field.
-  ///
   /// @param k  which field
   /// @param x  what it owns, of motion the places
   /// @param y  another value of it
@@ -529,7 +514,6 @@ class Problem {
   /// @return the number of staggered fields
   std::size_t fields() const { return can_->fields(self_); }
   /// Advances one field; see StaggeredProblem.
-  ///
   /// @param k     which field
   /// @param from  the start of the step
   /// @param dt    the step [s]
@@ -549,6 +533,12 @@ class Problem {
   std::vector<TimeScale> step_limits(const State& at) const { return can_->step_limits(self_, at); }
 
  private:
+  bool ask(Hook::Side side, bool (*by_itself)(void*, const Where&, const Answers&), const Where& at,
+           const Answers& to) const {
+    if (count_) ++*count_;
+    return hook_ ? hook_->rates(bare(), side, at, to) : by_itself(self_, at, to);
+  }
+
   void* self_;
   const detail::Abilities* can_;
   long* count_ = nullptr;
