@@ -61,8 +61,6 @@ BOOST_AUTO_TEST_SUITE(says_)
 BOOST_AUTO_TEST_CASE(looks_for_words_in_an_exceptions_text) {
   BOOST_TEST(says("must be positive")(std::invalid_argument("mass must be positive, got 0")));
   BOOST_TEST(!says("must be negative")(std::invalid_argument("mass must be positive, got 0")));
-  BOOST_TEST(contains("mass must be positive", "must be"));
-  BOOST_TEST(contains("mass", "must").message().str() == "\"must\" is not in \"mass\"");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

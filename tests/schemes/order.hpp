@@ -6,6 +6,7 @@
 namespace tests {
 
 /// Order that errors show under refinement: the slope of ln error over ln step, by least squares.
+///
 /// @param error_of  gives the error of a run with so many steps
 /// @param steps     numbers of steps, at least four
 template <class F>

@@ -39,16 +39,19 @@ inline void validate(const Frictionless&) {}
 /// @endcond
 
 /// Refuses a resolution that is none.
+///
 /// @param resolution  of simultaneous contacts
 /// @throws std::invalid_argument saying what must hold and what was given
 void validate(Resolution resolution);
 
 /// Refuses a duration that is none.
+///
 /// @param gamma  duration of an impact over the step [-]
 /// @throws std::invalid_argument saying what must hold and what was given
 void validate_gamma(double gamma);
 
 /// Refuses a contact law that is none. Called once, where a law enters a scene.
+///
 /// @param law  the law
 /// @throws std::invalid_argument naming the constant, what must hold and what was given
 template <class R, class F>
@@ -144,23 +147,27 @@ extern template Touching find_touching<kinematics::Space>(const kinematics::Spac
 double approach_speed(const Touch& touch, const kinematics::VectorsIn& velocity);
 
 /// Whether any contact of a moment must be looked at.
+///
 /// @param touching  contacts
 /// @param at        the particles
 /// @return true if a pair approaches, or has no direction
 bool any_approach(const Touching& touching, const laws::At<laws::Velocity>& at);
 
 /// Why two bodies that touch cannot be parted.
+///
 /// @param touching  contacts of which one has no direction
 /// @return the reason, with their numbers and what to do
 std::string without_direction(const Touching& touching);
 
 /// Gives every contact the relative acceleration of its bodies by the other forces.
+///
 /// @param touching      contacts; receives the accelerations
 /// @param inverse_mass  1/m_i, N [1/kg]
 /// @param force         all other forces on the particles, 3 N numbers, column by column [N]
 void set_accelerations(Touching& touching, const Eigen::VectorXd& inverse_mass, schemes::In force);
 
 /// Resolves the contacts of a moment, each of which has a direction.
+///
 /// @param law       restitution, friction and resolution
 /// @param duration  of the impacts [s]
 /// @param at        the particles
@@ -212,6 +219,7 @@ concept LocatesImpacts = Impacts<L> &&
 };
 
 /// What counts as touching to a law that resolves impacts: `touching_tolerance(law)`, exact touching by default.
+///
 /// @return a tolerance for find_touching()
 template <class L>
 ClosedGap touching_tolerance(const L&) {

@@ -14,6 +14,7 @@ struct Friction {
 struct Frictionless {};
 
 /// Refuses coefficients that are no friction law. Called once, where a law enters a scene.
+///
 /// @param law  the coefficients
 /// @throws std::invalid_argument naming the coefficient, what must hold and what was given
 void validate(const Friction& law);

@@ -39,11 +39,13 @@ struct LocatedContact {
 };
 
 /// Refuses a width that is none.
+///
 /// @param touching  tau [-]
 /// @throws std::invalid_argument saying what must hold and what was given
 void validate_touching(double touching);
 
 /// Refuses a contact law that is none. Called once, where a law enters a scene.
+///
 /// @param law  the law
 /// @throws std::invalid_argument naming the constant, what must hold and what was given
 template <class R, class F>
@@ -101,6 +103,7 @@ void tell_rest(const Touching& touching, const ClosedGap& gap, const laws::At<la
 }  // namespace detail
 
 /// The first place of a step at which a gap closes.
+///
 /// @param law           constants that validate() accepts
 /// @param domain        forms the separations, and has the walls if there are any
 /// @param radius        b_i, N [m]

@@ -82,6 +82,7 @@ struct ContactResolver {
   const ImpactRecorder& recorder = nobody;         ///< is told of every impact; it must outlive the resolver
 
   /// Resolves all contacts of one moment.
+  ///
   /// @param touching      the contacts, each direction a unit vector
   /// @param inverse_mass  1/m_i, 0 for what is immovable, N [1/kg]
   /// @param duration      gamma Dt [s]

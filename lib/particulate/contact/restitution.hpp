@@ -16,6 +16,7 @@ struct Restitution {
 };
 
 /// Refuses constants that are no restitution law. Called once, where a law enters a scene.
+///
 /// @param law  the constants
 /// @throws std::invalid_argument naming the constant, what must hold and what was given
 void validate(const Restitution& law);
@@ -39,6 +40,7 @@ struct ConstantRestitution {
 };
 
 /// Refuses a coefficient that is none. Called once, where a law enters a scene.
+///
 /// @param law  the coefficient
 /// @throws std::invalid_argument saying what must hold and what was given
 void validate(const ConstantRestitution& law);

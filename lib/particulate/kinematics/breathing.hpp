@@ -46,12 +46,14 @@ RadialForce breathing_pair(double alpha1, double alpha2, double m_i, double m_j,
 RadialForce breathing_body(double alpha1, double alpha2, double m, const Vectors& corners);
 
 /// Corners of a regular N-gon in the plane z = 0, on the unit circle.
+///
 /// @param N  number of corners, >= 2
 /// @return unit vectors, N x 3 [-]
 /// @throws std::invalid_argument if N < 2
 Vectors regular_polygon(int N);
 
 /// Corners of a regular solid about the origin, on the unit sphere.
+///
 /// @param faces  4, 6, 8, 12 or 20
 /// @return unit vectors: 4, 8, 6, 20 or 12 of them [-]
 /// @throws std::invalid_argument for any other number
@@ -75,6 +77,7 @@ struct Radial {
 class Breathing {
  public:
   /// A motion that starts at rest.
+  ///
   /// @param force  A > 0 and B > 0, finite
   /// @param r_0    start, > B/(2A): nearer than that the body flies apart [m]
   /// @throws std::invalid_argument if the motion is not bounded, saying where the limit lies
@@ -87,6 +90,7 @@ class Breathing {
   /// @return the outer turning point [m]
   double farthest() const { return static_cast<double>(far_); }
   /// State at a time after the start.
+  ///
   /// @param t  time since the start at rest, finite [s]
   /// @return radius and its rate
   Radial at(double t) const;

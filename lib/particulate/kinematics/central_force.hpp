@@ -20,6 +20,7 @@ struct CentralForce {
 };
 
 /// Refuses constants that are no central force. Called once, where a law enters a scene or a run.
+///
 /// @param law  the constants
 /// @throws std::invalid_argument naming the constant, what must hold and what was given
 void validate(const CentralForce& law);

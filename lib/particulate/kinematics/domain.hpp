@@ -25,6 +25,7 @@ struct Wall {
 };
 
 /// How far a place lies above a wall.
+///
 /// @param wall   the plane
 /// @param place  a place [m]
 /// @return signed distance, negative behind the wall [m]
@@ -48,6 +49,7 @@ struct Space {
 void validate(const Space& domain);
 
 /// The vector that leads from one place to another.
+///
 /// @param from  a place [m]
 /// @param to    another [m]
 /// @return to - from [m]

@@ -30,6 +30,7 @@ struct Particles {
 };
 
 /// Refuses particles that are none, naming the first offender.
+///
 /// @param particles  a start; no particle at all is allowed
 /// @throws std::invalid_argument if lengths differ, a position or velocity is not finite, a mass is not positive and
 /// finite, or
@@ -37,17 +38,20 @@ struct Particles {
 void validate(const Particles& particles);
 
 /// Inverse masses, zero for particles that are immovable.
+///
 /// @param particles  the set
 /// @return 1/m_i or 0, N entries [1/kg]
 Eigen::VectorXd inverse_masses(const Particles& particles);
 
 /// Reads the vector of one particle.
+///
 /// @param of  N vectors
 /// @param i   particle, 0 <= i < N
 /// @return its vector
 inline Eigen::Vector3d vector(const VectorsIn& of, Eigen::Index i) { return of.row(i).transpose(); }
 
 /// Writes the vector of one particle.
+///
 /// @param of     N vectors
 /// @param i      particle, 0 <= i < N
 /// @param value  its new vector

@@ -13,6 +13,7 @@ struct Scales {
 };
 
 /// Refuses scales that are none.
+///
 /// @param scales  the units
 /// @throws std::invalid_argument if one is not positive and finite
 void validate(const Scales& scales);

@@ -15,6 +15,7 @@ struct Gravity {
 };
 
 /// Refuses an acceleration that is not finite. Called once, where a law enters a scene.
+///
 /// @param law  the acceleration
 /// @throws std::invalid_argument saying what was given
 void validate(const Gravity& law);

@@ -25,6 +25,7 @@ class Scratch {
   static constexpr std::size_t line = 8;  ///< numbers of a cache line [-]
 
   /// Columns side by side, each on a cache line of its own and padded with zeros.
+  ///
   /// @param columns  how many
   /// @param N        numbers in each
   /// @return the first number of the first column; the next ones follow after stride(N)

@@ -26,16 +26,19 @@ enum class Kernel {
 };
 
 /// The name of a kernel, as a stamp says it.
+///
 /// @param kernel  a kernel
 /// @return its name in the enumeration, "none" for what is no kernel
 std::string_view name(Kernel kernel);
 
 /// Whether a kernel can be run here.
+///
 /// @param kernel  a kernel
 /// @return true for best, and for what this build has and this processor understands
 bool is_available(Kernel kernel);
 
 /// What Kernel::best stands for here.
+///
 /// @return avx512, else avx2, else baseline, by what is available
 Kernel best_kernel();
 
@@ -56,6 +59,7 @@ struct NearField {
 };
 
 /// Refuses constants that are no near field, and a kernel that is not there. Called once, where a law enters a scene.
+///
 /// @param law  the constants
 /// @throws std::invalid_argument naming the constant, what must hold and what was given
 void validate(const NearField& law);
@@ -70,12 +74,14 @@ void validate(const NearField& law);
 kinematics::CentralForce pair_law(const NearField& law, double charge_i, double charge_j);
 
 /// What scales each particle's near field.
+///
 /// @param law  the near field
 /// @param at   the particles
 /// @return m_i, 4 pi b_i^2 or 1, N entries
 Eigen::VectorXd charges(const NearField& law, const At<>& at);
 
 /// Whether a squared distance is held to full precision: not below the smallest normal number, and not infinite.
+///
 /// @param square  squared distance [m^2]
 /// @return true for distances from 1.5e-154 to 1.3e154 m
 inline bool is_full(double square) {

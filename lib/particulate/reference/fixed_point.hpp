@@ -32,6 +32,7 @@ struct FixedPoint {
 };
 
 /// Refuses settings that cannot be meant.
+///
 /// @param settings  tolerance, depth and limit
 /// @param unknowns  how many there are, >= 0 [-]
 /// @throws std::invalid_argument naming the setting, what must hold and what was given

@@ -23,6 +23,7 @@ namespace particulate::reference {
 class Integrator {
  public:
   /// Sets a method up on a problem.
+  ///
   /// @param problem  the right-hand side; it must outlive the integrator
   /// @param start    where the first advance is expected to start; it fixes the number of unknowns
   /// @param method   the method and its settings
@@ -75,6 +76,7 @@ class Integrator {
 };
 
 /// Advances a state to t_end in one leg.
+///
 /// @param problem  the right-hand side
 /// @param state    the start; on return the state at Outcome::t. If the problem throws it stays as it was.
 /// @param t_end    the end time, not before the start [s]

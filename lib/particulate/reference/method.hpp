@@ -42,24 +42,28 @@ inline constexpr std::array tables{
     Table::knoth_wolke_3_3,      Table::ark437l2sa_erk_7_3_4,   Table::ark548l2sab_erk_8_4_5};
 
 /// Name of a table, spelled as its enumerator.
+///
 /// @param table  a table
 /// @return its name, such as "verner_8_5_6"
 /// @throws std::invalid_argument for a value that is no enumerator
 std::string_view name(Table table);
 
 /// The table of that name.
+///
 /// @param name  spelled as the enumerator
 /// @return the table
 /// @throws std::invalid_argument for an unknown name, listing the known ones
 Table table_named(std::string_view name);
 
 /// Order of the solution that a table advances.
+///
 /// @param table  a table
 /// @return order of its global error [-]
 /// @throws std::invalid_argument for a value that is no enumerator
 int order(Table table);
 
 /// Order of the embedded method, which estimates the error of a step.
+///
 /// @param table  a table
 /// @return its order, 0 where there is none [-]
 /// @throws std::invalid_argument for a value that is no enumerator
@@ -134,12 +138,14 @@ inline constexpr std::array additive_tables{AdditiveTable::ark324l2sa_4_2_3, Add
                                             AdditiveTable::ark548l2sab_8_4_5};
 
 /// Name of an additive pair, spelled as its enumerator.
+///
 /// @param table  a pair
 /// @return its name, such as "ark548l2sa_8_4_5"
 /// @throws std::invalid_argument for a value that is no enumerator
 std::string_view name(AdditiveTable table);
 
 /// Order of the solution that an additive pair advances.
+///
 /// @param table  a pair
 /// @return order of its global error [-]
 /// @throws std::invalid_argument for a value that is no enumerator
@@ -163,6 +169,7 @@ struct ImplicitExplicit {
 using Method = std::variant<Adams, ExplicitRungeKutta, Bdf, ImplicitExplicit>;
 
 /// Refuses settings that cannot be meant. Called once, where a method enters an integrator.
+///
 /// @param method  the settings
 /// @throws std::invalid_argument naming the setting, what must hold and what was given
 void validate(const Adams& method);

@@ -61,6 +61,7 @@ class Scene {
 
  public:
   /// Checks particles and laws once, where they enter.
+  ///
   /// @param particles  the start, and what stays with each particle
   /// @param domain     forms the separations
   /// @param laws       the laws, in the order in which their forces are added
@@ -87,6 +88,7 @@ class Scene {
   const D& domain() const { return domain_; }
 
   /// Accelerations at given positions. @see schemes::PositionProblem
+  ///
   /// @param t  time [s]
   /// @param r  positions, 3 N numbers, column by column [m]
   /// @param a  receives the accelerations, as long as r [m/s^2]
@@ -95,6 +97,7 @@ class Scene {
     return force(places(t, r), a) && divide_by_mass(a);
   }
   /// Accelerations at given positions and velocities. @see schemes::MotionProblem
+  ///
   /// @param t  time [s]
   /// @param r  positions, 3 N numbers, column by column [m]
   /// @param v  velocities, as long as r [m/s]
@@ -118,6 +121,7 @@ class Scene {
   }
 
   /// Potential energy of all laws; a scene with a law that has none does not offer it.
+  ///
   /// @param state  a state of this scene
   /// @return energy [J]
   double potential_energy(const schemes::State& state) const requires(laws::Conservative<Laws, D>&&...) {
@@ -242,6 +246,7 @@ class Scene {
 };
 
 /// Where a scene starts.
+///
 /// @param scene  the scene
 /// @return its particles' positions and velocities at t = 0
 template <kinematics::Domain D, class... Laws>

@@ -29,6 +29,7 @@ struct CollocationSettings {
 };
 
 /// Refuses settings that cannot be meant.
+///
 /// @param settings  the settings
 /// @throws std::invalid_argument naming the setting, what must hold and what was given
 void validate(const CollocationSettings& settings);
@@ -57,6 +58,7 @@ class AnyCollocation {
   static constexpr bool advances(const Traits& of) { return of.motion || of.values; }
 
   /// The guess: rates at the nodes, and the state at the end that they make.
+  ///
   /// @param problem  the right-hand side; asked for the start's where there is no polynomial to extrapolate, and for
   ///                 Jacobians by Newton
   /// @param from     state at the start
@@ -66,6 +68,7 @@ class AnyCollocation {
   bool predict(const Problem& problem, const State& from, double dt, State& to);
 
   /// One sweep over all stages.
+  ///
   /// @param problem  the right-hand side
   /// @param from     state at the start
   /// @param dt       step [s]
@@ -77,6 +80,7 @@ class AnyCollocation {
   std::span<const Iteration> iterations() const { return measures_.iterations(); }
 
   /// The error that the step just made left, relative to the sizes of the settings; see Collocation.
+  ///
   /// @param problem  the right-hand side; Radau on values asks for one more after a refused step, and at the start
   /// @param from     state at the start
   /// @param dt       step [s]
@@ -85,6 +89,7 @@ class AnyCollocation {
   Truncation truncation(const Problem& problem, const State& from, double dt, const State& to);
 
   /// Keeps the polynomial of the step just made, and what rounding added to its end.
+  ///
   /// @param dt  the step [s]
   void accept(double dt);
 
@@ -92,6 +97,7 @@ class AnyCollocation {
   void forget();
 
   /// Dense output: the polynomial of the step made last, of uniform order s.
+  ///
   /// @param from   state at the start of that step
   /// @param dt     that step [s]
   /// @param theta  in units of the step; 0 its start, 1 its end [-]

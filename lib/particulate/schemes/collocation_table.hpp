@@ -35,20 +35,24 @@ struct CollocationTable {
   /// @return the number of stages s [-]
   Eigen::Index stages() const { return c.size(); }
   /// The Lagrange polynomials, for a value at a point of the step, inside or beyond.
+  ///
   /// @param theta  in units of the step, from its start
   /// @return \f$ l_j(\theta) \f$
   StageWeights basis(double theta) const;
   /// Their integrals.
+  ///
   /// @param theta  in units of the step, from its start
   /// @return \f$ \int_0^\theta l_j \f$
   StageWeights once(double theta) const;
   /// The integrals of what the method makes of their integrals, for positions in Nystrom form.
+  ///
   /// @param theta  in units of the step, from its start
   /// @return \f$ A^T \int_0^\theta l \f$: row i of A A at node i, and A^T b at the end
   StageWeights twice(double theta) const;
 };
 
 /// The Gauss nodes: zeros of the Legendre polynomial of degree s on [0, 1].
+///
 /// @param s  stages, 1 to 16 [-]
 /// @return nodes, rising
 /// @throws std::invalid_argument for another number of stages

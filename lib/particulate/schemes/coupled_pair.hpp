@@ -29,11 +29,13 @@ struct FirstOrderPair {
   Eigen::Matrix2d a = Eigen::Matrix2d::Zero();  ///< the coefficients, a(k, j) as above with k, j from 0 [1/s]
 
   /// The rate of both fields at once, for schemes that do not stagger. @see FirstOrderProblem
+  ///
   /// @param y   both fields
   /// @param dy  receives their rates
   /// @return true
   bool rate(double, In y, Out dy) const;
   /// The matrix -a. @see HasJacobian
+  ///
   /// @param J  receives it
   void jacobian(double, In, Eigen::MatrixXd& J) const { J = -a; }
 
@@ -69,6 +71,7 @@ struct SecondOrderPair {
   double c21 = 0.0;  ///< [1/s^2]
 
   /// The rate of both fields at once, for schemes that do not stagger. @see FirstOrderProblem
+  ///
   /// @param y   both fields, each a value with its rate
   /// @param dy  receives their rates
   /// @return true

@@ -59,6 +59,7 @@ struct ErrorControl {
 };
 
 /// Refuses settings that cannot be meant. Called once, when a run starts.
+///
 /// @param control  the controller
 /// @throws std::invalid_argument naming the setting, what must hold and what was given
 void validate(const ErrorControl& control);

@@ -19,6 +19,7 @@ struct ForwardEuler {
   static double spans(TimeScale::Kind kind, int) { return kind == TimeScale::Kind::oscillates ? 0.0 : 2.0; }
 
   /// One step.
+  ///
   /// @param problem  the right-hand side
   /// @param from     state at the start
   /// @param dt       step [s]

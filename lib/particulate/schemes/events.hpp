@@ -40,6 +40,7 @@ struct Hit {
 };
 
 /// Refuses events that cannot be meant. Called once, where they enter.
+///
 /// @param events  functions and directions; neither means no events
 /// @throws std::invalid_argument naming what must hold and what was given
 void validate(const Events& events);
@@ -58,6 +59,7 @@ struct WatchSettings {
 };
 
 /// Refuses settings that cannot be meant.
+///
 /// @param settings  the settings
 /// @throws std::invalid_argument naming the setting, what must hold and what was given
 void validate(const WatchSettings& settings);
@@ -102,6 +104,7 @@ class Watch {
   const WatchSettings& settings() const { return settings_; }
 
   /// The first event of a step. Asked again, with the same start, it answers for the step as it is now.
+  ///
   /// @param path   the step
   /// @param there  scratch
   /// @param end    how far to look, a little beyond 1 at most [-]
@@ -110,6 +113,7 @@ class Watch {
   std::optional<double> first(const StepPath& path, State& there, double end);
 
   /// Books the events at the end of a step, as first() found them last.
+  ///
   /// @param theta  the place that first() gave, or that of a jump [-]
   /// @param t      the time there [s]
   /// @param dt     the step [s]

@@ -25,6 +25,7 @@ struct FixedStep {
   /// @return whether the sweeps have still to go on
   bool goes_on(const Iteration& it) const { return !settled(it) && it.K < contractions; }
   /// Accepts what has a value and has settled.
+  ///
   /// @param made  the attempted step
   /// @return accepted, or impossible with the reason
   Decision judge(const Attempt& made) const;
@@ -34,6 +35,7 @@ struct FixedStep {
 };
 
 /// Refuses settings that cannot be meant. Called once, when a run starts.
+///
 /// @param control  the controller
 /// @throws std::invalid_argument naming the setting, what must hold and what was given
 void validate(const FixedStep& control);

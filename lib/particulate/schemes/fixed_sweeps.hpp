@@ -22,12 +22,14 @@ struct FixedSweeps {
   /// @return whether sweeps are left
   bool goes_on(const Iteration& it) const { return it.K + 1 < sweeps && it.w_K > 0.0; }
   /// Accepts what has a value and does not diverge.
+  ///
   /// @param made  the attempted step
   /// @return accepted, or impossible with the reason
   Decision judge(const Attempt& made) const;
 };
 
 /// Refuses settings that cannot be meant. Called once, when a run starts.
+///
 /// @param control  the controller
 /// @throws std::invalid_argument naming the setting, what must hold and what was given
 void validate(const FixedSweeps& control);

@@ -11,6 +11,7 @@
 namespace particulate::schemes {
 
 /// Refuses what no run can start from, naming it.
+///
 /// @param of     what the problem has
 /// @param state  the start; t finite, r, v and y finite, r and v of one length, no part that the problem does not have
 /// @param t_end  where to go, finite and not before the start [s]

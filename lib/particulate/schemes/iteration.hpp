@@ -23,26 +23,31 @@ namespace particulate::schemes {
 class IterationMeasure {
  public:
   /// Forgets the last step.
+  ///
   /// @param p      the exponent of Dt in the contraction, >= 1 [-]
   /// @param field  name of the field, where several are staggered; it must outlive the measure
   void begin(int p, std::string_view field = {});
 
   /// Whether record() still waits for the first sweep, with its displacement and size.
+  ///
   /// @return true until a sweep was recorded that changed something
   bool waits_for_first() const { return it_.w_0 == 0.0; }
 
   /// Sets what the sweeps are measured by. Called before record() as long as it waits for the first sweep.
+  ///
   /// @param displacement  distance of the sweep's result from the start of the step, in the problem's measure
   /// @param size          distance of the start of the step from zero: with the displacement it sets what rounding is
   void normalize(double displacement, double size);
 
   /// Books one sweep.
+  ///
   /// @param change  distance of its result from what it started from, in the problem's measure
   /// @return the iteration so far; not evaluated if the change is not finite, and then w_K and K stay those of the last
   ///         finite sweep
   const Iteration& record(double change);
 
   /// Books that the problem had no value.
+  ///
   /// @return the iteration so far, not evaluated
   const Iteration& no_value();
 
@@ -64,6 +69,7 @@ class IterationMeasure {
 class PartMeasures {
  public:
   /// Forgets the last step.
+  ///
   /// @param problem  says what there is
   /// @param from     the start of the step
   /// @param p        of the motion: the exponent of Dt in its contraction [-]
@@ -73,10 +79,12 @@ class PartMeasures {
   void begin_as_one();
 
   /// The measure of the motion, for the scheme to fill in.
+  ///
   /// @return it; without motion that of the first range
   IterationMeasure& motion() { return measures_.front(); }
 
   /// Books a sweep over all ranges of y.
+  ///
   /// @param problem  measures
   /// @param start    y at the start of the step
   /// @param before   y before the sweep
@@ -84,6 +92,7 @@ class PartMeasures {
   void record_values(const Problem& problem, const Eigen::VectorXd& start, const Eigen::VectorXd& before,
                      const Eigen::VectorXd& after);
   /// The same with other changes, of which the larger counts: see Collocation.
+  ///
   /// @param problem       measures
   /// @param start         y at the start of the step
   /// @param before        y before the sweep
@@ -95,6 +104,7 @@ class PartMeasures {
                      const Eigen::VectorXd& other_after);
 
   /// Books that the problem had no value.
+  ///
   /// @return the iteration so far, not evaluated
   Iteration no_value();
   /// @return the iteration of the part with the largest error, in units of its tolerance
@@ -112,11 +122,13 @@ class PartMeasures {
 };
 
 /// Of several iterations the one with the largest error; one without a value is the worst, the first of equals counts.
+///
 /// @param all  at least one, in units of their tolerances
 /// @return it
 const Iteration& worst_of(std::span<const Iteration> all);
 
 /// An iteration in units of a tolerance.
+///
 /// @param it   an iteration
 /// @param TOL  > 0 [-]
 /// @return the same, with w and rounding over TOL
@@ -136,6 +148,7 @@ Iteration in_units(Iteration it, double TOL);
 double phi_K(const Iteration& it, double TOL, int K_d);
 
 /// Refuses a tolerance that rounding can never meet.
+///
 /// @param whose  the setting's owner, for the message
 /// @param TOL    tolerance on a normalized error, at least 2.3e-16 and finite [-]
 /// @throws std::invalid_argument saying what must hold and what was given
@@ -150,11 +163,13 @@ void validate_tolerance(std::string_view whose, double TOL);
 bool at_rounding(const Iteration& it);
 
 /// Whether the ratio of the last two changes is good to three digits.
+///
 /// @param it  an iteration
 /// @return true if its last change is above a thousand roundings of the state, or was not finite
 bool shows_contraction(const Iteration& it);
 
 /// What to report of an iteration that did not meet its tolerance.
+///
 /// @param made     the attempted step
 /// @param TOL      the tolerance on w [-]
 /// @param allowed  contractions that were allowed [-]

@@ -35,6 +35,7 @@ class Anderson {
   /// Forgets earlier iterates: a new step begins.
   void forget() { seen_ = -1; }
   /// The next iterate.
+  ///
   /// @param x   the iterate; receives the next one
   /// @param gx  the map there, as long as x; its content is lost
   void next(Eigen::VectorXd& x, Eigen::VectorXd& gx);

@@ -15,6 +15,7 @@
 namespace particulate::schemes {
 
 /// Increment of a difference quotient: sqrt(epsilon) of a size, a power of two with the sign of the value.
+///
 /// @param value  of the unknown
 /// @param size   below which its changes count as absolute, > 0
 /// @return increment, not zero
@@ -24,6 +25,7 @@ double difference_step(double value, double size);
 using RatesOf = std::function<bool(const Eigen::VectorXd& x, Eigen::VectorXd& f)>;
 
 /// A Jacobian by forward difference quotients, as many unknowns at once as no row sees two of.
+///
 /// @param rates  asked as often as there are diagonals in the band, or unknowns
 /// @param x      where; n of them
 /// @param f      the rates there
@@ -59,6 +61,7 @@ class NewtonSteps {
   explicit NewtonSteps(bool sparse = false) : sparse_(sparse) {}
 
   /// Sees to it that the linear systems are decomposed for a step.
+  ///
   /// @param problem  asked for a Jacobian, or for the rates that make one
   /// @param from     state at the start
   /// @param dt       step [s]
@@ -68,11 +71,13 @@ class NewtonSteps {
   bool prepare(const Problem& problem, const State& from, double dt, const StageEquations& step);
 
   /// One step of Newton.
+  ///
   /// @param residual  f(stage) - k, one column a stage
   /// @return change of the rates k, as large; not finite if a system is singular
   Eigen::MatrixXd solve(const Eigen::Ref<const Eigen::MatrixXd>& residual) const;
 
   /// A defect as the stiff part of the problem damps it.
+  ///
   /// @param defect  of the rates
   /// @param dt      step [s]
   /// @return \f$ \mathrm{Re}\,(I - \lambda h J - \lambda^2 h^2 K)^{-1} \lambda h \f$ of it, with the real eigenvalue if

@@ -43,6 +43,7 @@ struct PhiControl {
   /// @return whether TOL is not met and contractions are left
   bool goes_on(const Iteration& it) const { return it.w_K > TOL && it.K < K_d; }
   /// Accepts what met TOL, and sets the next step.
+  ///
   /// @param made  the attempted step; one cut short to land on the end of a run leaves a longer step alone
   /// @return accepted; refused, to be tried again with dt(); or impossible with the reason
   Decision judge(const Attempt& made);
@@ -53,6 +54,7 @@ struct PhiControl {
 };
 
 /// Refuses settings that cannot be meant. Called once, when a run starts.
+///
 /// @param control  the controller
 /// @throws std::invalid_argument naming the setting, what must hold and what was given
 void validate(const PhiControl& control);

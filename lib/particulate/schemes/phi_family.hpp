@@ -53,6 +53,7 @@ class PhiFamily {
   double spans(TimeScale::Kind kind, int sweeps) const;
 
   /// Free flight.
+  ///
   /// @param problem  the right-hand side; asked for the start's unless phi = 1
   /// @param from     state at the start
   /// @param dt       step [s]
@@ -61,6 +62,7 @@ class PhiFamily {
   bool predict(const Problem& problem, const State& from, double dt, State& to);
 
   /// One sweep over all particles and all values.
+  ///
   /// @param problem  the right-hand side
   /// @param from     state at the start
   /// @param dt       step [s]

@@ -437,11 +437,13 @@ class Problem {
   const Traits& traits() const { return can_->traits; }
 
   /// All rates at once.
+  ///
   /// @param at  where; a part that the problem does not have is empty
   /// @param to  receives the rates of what it has
   /// @return whether the problem has a value there
   bool rates(const Where& at, const Answers& to) const { return ask(Hook::Side::whole, can_->rates, at, to); }
   /// The same, into vectors of the length that they need.
+  ///
   /// @param t   time [s]
   /// @param r   places [m]
   /// @param v   velocities [m/s]
@@ -482,11 +484,13 @@ class Problem {
   }
 
   /// Distance in the problem's own measure, in the sum of absolute values without one.
+  ///
   /// @param x  places, or values where the problem has nothing else
   /// @param y  others, as many
   /// @return distance, >= 0, in their unit
   double distance(const In& x, const In& y) const;
   /// The same of one staggered field.
+  ///
   /// @param k  which field
   /// @param x  what it owns, of motion the places
   /// @param y  another value of it
@@ -514,6 +518,7 @@ class Problem {
   /// @return the number of staggered fields
   std::size_t fields() const { return can_->fields(self_); }
   /// Advances one field; see StaggeredProblem.
+  ///
   /// @param k     which field
   /// @param from  the start of the step
   /// @param dt    the step [s]

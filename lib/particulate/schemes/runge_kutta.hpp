@@ -23,6 +23,7 @@ struct RungeKutta4 {
   }
 
   /// One step.
+  ///
   /// @param problem  the right-hand side
   /// @param from     state at the start
   /// @param dt       step [s]

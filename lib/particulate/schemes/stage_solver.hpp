@@ -34,10 +34,12 @@ class StageEigenvalues {
   /// @return which of values() is real; the first, if none is
   std::size_t real() const { return real_; }
   /// The right-hand sides of the systems.
+  ///
   /// @param residual  n x s, one column a stage
   /// @return one column for each of values()
   Eigen::MatrixXcd apart(const Eigen::Ref<const Eigen::MatrixXd>& residual) const;
   /// Their solutions put together.
+  ///
   /// @param solutions  one column for each of values()
   /// @return n x s, one column a stage
   Eigen::MatrixXd together(const Eigen::MatrixXcd& solutions) const;

@@ -35,6 +35,7 @@ class Aitken {
   /// Forgets earlier residuals: a new step begins.
   void forget() { omega_.reset(); }
   /// The factor for the next iterate.
+  ///
   /// @param residual  the map minus the iterate, in units that make all fields comparable
   /// @return omega; 1 for the first residual [-]
   double factor(const Eigen::VectorXd& residual);
@@ -70,6 +71,7 @@ class Staggered {
   explicit Staggered(std::vector<Field> fields, Seen seen = Seen::newest, std::optional<Aitken> relaxation = {});
 
   /// The state at the start, at the end's time.
+  ///
   /// @param problem  the coupled fields
   /// @param from     state at the start
   /// @param dt       step [s]
@@ -79,6 +81,7 @@ class Staggered {
   bool predict(const Problem& problem, const State& from, double dt, State& to);
 
   /// One sweep over all fields.
+  ///
   /// @param problem  the coupled fields
   /// @param from     state at the start
   /// @param dt       step [s]

@@ -28,6 +28,7 @@ struct State {
 };
 
 /// Exchanges two states without copying a number of them.
+///
 /// @param a  one
 /// @param b  the other
 inline void swap(State& a, State& b) noexcept {
@@ -39,16 +40,19 @@ inline void swap(State& a, State& b) noexcept {
 }
 
 /// A state as one vector.
+///
 /// @param state  a state
 /// @return (r, v, y)
 Eigen::VectorXd flat(const State& state);
 
 /// Writes one vector back into a state.
+///
 /// @param x      (r, v, y), as long as those of the state together
 /// @param state  receives it; its time stays
 void unflatten(In x, State& state);
 
 /// Whether a computed state can be handed on: no NaN, no infinity.
+///
 /// @param state  a state
 /// @return true if every number in it is finite
 bool is_finite(const State& state);

@@ -37,6 +37,7 @@ void validate(std::string_view whose, const StepSettings& settings);
 void validate_step(std::string_view whose, double step);
 
 /// Makes of a step that did not meet its tolerance one that is tried again.
+///
 /// @param unmet     why it did not
 /// @param next      the step to try next [s]
 /// @param smallest  below it a step is not tried [s]

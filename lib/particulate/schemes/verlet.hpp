@@ -24,6 +24,7 @@ struct VelocityVerlet {
   }
 
   /// One step.
+  ///
   /// @param problem  the right-hand side
   /// @param from     state at the start
   /// @param dt       step [s]
