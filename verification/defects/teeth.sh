@@ -12,7 +12,7 @@ usage: verification/defects/teeth.sh [options] [FOLDER]
 Copies the sources to FOLDER (default: build/defects), proves that every case named in defects.txt is green there, then
 changes one line of the library at a time and runs the cases named for it, quick, until all defects have had their turn.
 Writes FOLDER/teeth.csv: which cases turned red. Ends with status 1 if a defect is caught by nothing. The sources
-themselves are never changed. All defects take about ten minutes of one processor core.
+themselves are never changed. All defects take about a quarter of an hour of one processor core.
 
   --only NAME       only this defect; may be repeated
   --record          keep the result in verification/defects/teeth.csv, which the documentation shows
