@@ -17,11 +17,9 @@ void add_jump(schemes::Jump one, schemes::Jump& all) {
   all.accumulates = one.accumulates;
 }
 
-void require_length(Eigen::Index given, Eigen::Index N) {
-  if (given != 3 * N) {
-    throw std::invalid_argument(
-        fmt::format("scene: vectors of {} particles must hold {} numbers, got {}", N, 3 * N, given));
-  }
+void refuse_length(Eigen::Index given, Eigen::Index N) {
+  throw std::invalid_argument(
+      fmt::format("scene: vectors of {} particles must hold {} numbers, got {}", N, 3 * N, given));
 }
 
 }  // namespace particulate::scenes::detail

@@ -35,8 +35,12 @@ schemes::Jump jump_of(const L& law, const D& domain, const laws::At<laws::Veloci
 // Adds what one law did to what all have done.
 void add_jump(schemes::Jump one, schemes::Jump& all);
 
+[[noreturn]] void refuse_length(Eigen::Index given, Eigen::Index N);
+
 // A vector of another length would be read beyond its end.
-void require_length(Eigen::Index given, Eigen::Index N);
+inline void require_length(Eigen::Index given, Eigen::Index N) {
+  if (given != 3 * N) refuse_length(given, N);
+}
 
 }  // namespace detail
 
