@@ -214,14 +214,14 @@ class Scene {
   static void check(const L& law) {
     if constexpr (laws::Validated<L>) validate(law);
   }
-  Shaped shaped(schemes::In x) const {
+  Shaped shaped(const schemes::In& x) const {
     detail::require_length(x.size(), particles_.size());
     return {x.data(), particles_.size(), 3};
   }
-  laws::At<> places(double t, schemes::In r) const {
+  laws::At<> places(double t, const schemes::In& r) const {
     return {.t = t, .position = shaped(r), .mass = particles_.mass, .radius = particles_.radius, .scratch = scratch_};
   }
-  laws::At<laws::Velocity> moving(double t, schemes::In r, schemes::In v) const {
+  laws::At<laws::Velocity> moving(double t, const schemes::In& r, const schemes::In& v) const {
     return {places(t, r), shaped(v), inverse_mass_};
   }
 

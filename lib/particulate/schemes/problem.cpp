@@ -6,6 +6,10 @@
 
 namespace particulate::schemes {
 
+bool Problem::ask_hook(Hook::Side side, const Where& at, const Answers& to) const {
+  return hook_->rates(bare(), side, at, to);
+}
+
 double Problem::distance(const In& x, const In& y) const {
   return can_->distance ? can_->distance(self_, x, y) : (x - y).lpNorm<1>();
 }

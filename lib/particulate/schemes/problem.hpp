@@ -541,8 +541,9 @@ class Problem {
   bool ask(Hook::Side side, bool (*by_itself)(void*, const Where&, const Answers&), const Where& at,
            const Answers& to) const {
     if (count_) ++*count_;
-    return hook_ ? hook_->rates(bare(), side, at, to) : by_itself(self_, at, to);
+    return hook_ ? ask_hook(side, at, to) : by_itself(self_, at, to);
   }
+  bool ask_hook(Hook::Side side, const Where& at, const Answers& to) const;
 
   void* self_;
   const detail::Abilities* can_;

@@ -7,21 +7,21 @@ bool RungeKutta4::predict(const Problem& problem, const State& from, double dt, 
   const double middle = from.t + half;
   const bool values = problem.traits().values;
   State& at = stage_;
-  if (!values) at.y = from.y;
+  const Eigen::VectorXd& y = values ? at.y : from.y;
 
   if (!problem.rates(from, k1_)) return false;
   at.r = from.r + half * from.v;
   at.v = from.v + half * k1_.a;
   if (values) at.y = from.y + half * k1_.dy;
-  if (!problem.rates(middle, at.r, at.v, at.y, k2_)) return false;
+  if (!problem.rates(middle, at.r, at.v, y, k2_)) return false;
   at.r = from.r + half * at.v;
   at.v = from.v + half * k2_.a;
   if (values) at.y = from.y + half * k2_.dy;
-  if (!problem.rates(middle, at.r, at.v, at.y, k3_)) return false;
+  if (!problem.rates(middle, at.r, at.v, y, k3_)) return false;
   at.r = from.r + dt * at.v;
   at.v = from.v + dt * k3_.a;
   if (values) at.y = from.y + dt * k3_.dy;
-  if (!problem.rates(from.t + dt, at.r, at.v, at.y, k4_)) return false;
+  if (!problem.rates(from.t + dt, at.r, at.v, y, k4_)) return false;
 
   advance_time(from, dt, to);
   to.r = from.r + dt * from.v + (dt * dt / 6.0) * (k1_.a + k2_.a + k3_.a);
