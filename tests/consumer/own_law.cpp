@@ -6,9 +6,9 @@
 
 #include <fmt/core.h>
 
-#include <particulate/laws/near_field.hpp>
 #include <particulate/kinematics/energy.hpp>
 #include <particulate/kinematics/momentum.hpp>
+#include <particulate/laws/near_field.hpp>
 #include <particulate/scenes/scene.hpp>
 #include <particulate/schemes/fixed_step.hpp>
 #include <particulate/schemes/integrate.hpp>

@@ -66,7 +66,7 @@ ends 1 "in a header" --built "$build" --only reaction_points_along "$work/run"
 
 # --- Results ---------------------------------------------------------------------------------------------------------
 ends 1 'caught by nothing: harmless' --defects defects.txt --built "$build" --record "$work/run"
-grep -q '^logarithm,.*,"ch01: potential_limit",[1-9]' teeth.csv || complain "it must be caught: $(cat teeth.csv)"
+grep -q '^logarithm,.*,"ch01: equilibrium, potential_limit, potential_slope",[1-9]' teeth.csv || complain "it must be caught: $(cat teeth.csv)"
 ends 1 'nothing catches harmless' --defects defects.txt --check
 # What was recorded before another `to` says nothing about it.
 sed -i '6s/- 1.0/- 2.0/' defects.txt

@@ -222,23 +222,24 @@ template <class R, class F>
 Resolved resolve_summed(const ContactResolver<R, F>& law, Motions& motions, const std::vector<Touch>& touching,
                         double duration) {
   Resolved done;
-  std::vector<std::pair<Touch, Impulse>> impulses;
+  std::vector<Touch> pushed;
+  std::vector<Impulse> impulses;
   for (const Touch& touch : touching) {
     const Meeting meeting = meeting_of(law, motions, touch, duration);
     if (meeting.wanted == 0.0) continue;
     const double e = restitution_at(law.restitution, meeting.speed);
     const Impulse impulse = impact_impulse(motions.body(touch.i), motions.body(touch.j), touch.n, e,
                                            changes_of(touch, duration, e), law.friction);
-    impulses.emplace_back(touch, impulse);
+    pushed.push_back(touch);
+    impulses.push_back(impulse);
     done.largest_impulse = std::max(done.largest_impulse, -impulse.normal);
     ++done.impacts;
   }
-  std::vector<Touch> pushed;
-  for (const auto& [touch, impulse] : impulses) pushed.push_back(touch);
   const std::vector<Eigen::Vector3d> before = relative_velocities(law.recorder, motions, pushed);
-  for (const auto& [touch, impulse] : impulses) motions.push(touch, impulse.total(touch.n));
+  for (std::size_t k = 0; k < pushed.size(); ++k) motions.push(pushed[k], impulses[k].total(pushed[k].n));
   for (std::size_t k = 0; k < before.size(); ++k) {
-    const auto& [touch, impulse] = impulses[k];
+    const Touch& touch = pushed[k];
+    const Impulse& impulse = impulses[k];
     law.recorder({touch.i, touch.j, touch.n, -impulse.normal, impulse.tangential, before[k], motions.relative(touch)});
   }
   return done;

@@ -138,9 +138,9 @@ CommandLine::CommandLine(Program program) : program_(std::move(program)) {
 }
 
 template <class T>
-T& CommandLine::keep(T value, Field field) {
+T& CommandLine::keep(T value, const Field& field) {
   T& kept = std::get<T>(values_.emplace_back(std::move(value)));
-  enter(std::move(field), &kept, false);
+  enter(field, &kept, false);
   return kept;
 }
 

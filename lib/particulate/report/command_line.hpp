@@ -125,7 +125,7 @@ class CommandLine {
   };
 
   template <class T>
-  T& keep(T value, Field field);
+  T& keep(T value, const Field& field);
   void enter(Field field, Target target, bool everywhere);
   std::optional<int> read_tokens(int argc, const char* const* argv, std::ostream& out);
   void read_file(const std::filesystem::path& file);
