@@ -144,10 +144,10 @@ T& CommandLine::keep(T value, const Field& field) {
   return kept;
 }
 
-double& CommandLine::field(double value, Field field) { return keep(value, std::move(field)); }
-int& CommandLine::field(int value, Field field) { return keep(value, std::move(field)); }
-bool& CommandLine::field(bool value, Field field) { return keep(value, std::move(field)); }
-std::string& CommandLine::field(std::string value, Field field) { return keep(std::move(value), std::move(field)); }
+double& CommandLine::field(double value, const Field& field) { return keep(value, field); }
+int& CommandLine::field(int value, const Field& field) { return keep(value, field); }
+bool& CommandLine::field(bool value, const Field& field) { return keep(value, field); }
+std::string& CommandLine::field(std::string value, const Field& field) { return keep(std::move(value), field); }
 
 void CommandLine::enter(Field field, Target target, bool everywhere) {
   if (!is_name(field.name)) {

@@ -65,30 +65,30 @@ class CommandLine {
   /// @param field  name, meaning, unit, range, source
   /// @return the variable, which lives as long as this object
   /// @throws std::invalid_argument if the name is taken or ill-formed, the meaning empty, or the default out of range
-  double& field(double value, Field field);
+  double& field(double value, const Field& field);
   /// Makes a whole number a parameter.
   /// @param value  its default
   /// @param field  name, meaning, unit, range, source
   /// @return the variable
   /// @throws std::invalid_argument as for a number
-  int& field(int value, Field field);
+  int& field(int value, const Field& field);
   /// Makes a switch a parameter: true or false.
   /// @param value  its default
   /// @param field  name and meaning
   /// @return the variable
   /// @throws std::invalid_argument as for a number
-  bool& field(bool value, Field field);
+  bool& field(bool value, const Field& field);
   /// Makes a text a parameter, usually with one_of().
   /// @param value  its default
   /// @param field  name, meaning, range
   /// @return the variable
   /// @throws std::invalid_argument as for a number
-  std::string& field(std::string value, Field field);
+  std::string& field(std::string value, const Field& field);
   /// Makes a text a parameter: the other overload, for a literal.
   /// @param value  its default
   /// @param field  name, meaning, range
   /// @return the variable
-  std::string& field(const char* value, Field field) { return this->field(std::string(value), std::move(field)); }
+  std::string& field(const char* value, const Field& field) { return this->field(std::string(value), field); }
 
   /// Reads the command line, and the file that --config names, into the fields and common().
   /// @param argc   as main() gets it
