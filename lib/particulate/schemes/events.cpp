@@ -13,15 +13,15 @@ namespace particulate::schemes {
 namespace {
 
 // Over the largest value so far. Rounding of what a function is made of is some of these.
-constexpr double zero = 1e-14;
+constexpr double zero_tolerance = 1e-14;
 // A function that an event has left at some value has left zero beyond so many times that.
-constexpr double beyond = 10.0;
+constexpr double leave_factor = 10.0;
 // Of the difference that gives a slope: its errors, of truncation and of rounding, are then both some 1e-11.
-constexpr double width = 1e-5;
+constexpr double difference_width = 1e-5;
 // Over the largest value in the step: dense output that resolves a motion at all is nearer to it than this.
 constexpr double doubt = 1e-4;
 // Events so many roundings of the time apart happen together.
-constexpr double together = 100.0;
+constexpr double tie_roundings = 100.0;
 
 void require_one_each(std::size_t given, std::size_t n, const char* what) {
   if (given != 0 && given != n) {
@@ -31,7 +31,9 @@ void require_one_each(std::size_t given, std::size_t n, const char* what) {
 }
 
 // Places within the step for a difference about theta.
-double inside(double theta, double end) { return std::clamp(theta, 0.5 * width, end - 0.5 * width); }
+double inside(double theta, double end) {
+  return std::clamp(theta, 0.5 * difference_width, end - 0.5 * difference_width);
+}
 
 }  // namespace
 
@@ -102,15 +104,15 @@ std::vector<std::vector<Sample>> Watch::samples_of(const Evaluate& at, int inter
   for (const double theta : chebyshev_points(intervals, end)) {
     const double t = at(theta, 0.0, g);
     const double middle = inside(theta, end);
-    at(middle, -0.5 * width, before);
-    at(middle, 0.5 * width, after);
+    at(middle, -0.5 * difference_width, before);
+    at(middle, 0.5 * difference_width, after);
     for (std::size_t k = 0; k < n; ++k) {
       const auto row = static_cast<Eigen::Index>(k);
       if (!std::isfinite(g[row])) {
         throw std::invalid_argument(
             fmt::format("events: function {} must be finite, got {} at t = {} s", k, g[row], t));
       }
-      samples[k].push_back({.theta = theta, .value = g[row], .slope = (after[row] - before[row]) / width});
+      samples[k].push_back({.theta = theta, .value = g[row], .slope = (after[row] - before[row]) / difference_width});
     }
   }
   return samples;
@@ -122,8 +124,8 @@ ZeroRules Watch::rules_of(std::size_t k, const std::vector<Sample>& samples) {
   for (const Sample& sample : samples) largest = std::max(largest, std::abs(sample.value));
   scale_[k] = std::max(scale_[k], largest);
   const ZeroRules rules{.direction = events_.directions[k],
-                        .reach = zero * scale_[k],
-                        .leave = beyond * std::max(zero * scale_[k], left_[k]),
+                        .reach = zero_tolerance * scale_[k],
+                        .leave = leave_factor * std::max(zero_tolerance * scale_[k], left_[k]),
                         .graze = settings_.graze * scale_[k],
                         .touches = true,
                         .doubt = doubt * largest};
@@ -148,9 +150,9 @@ std::optional<double> Watch::first_of(const Evaluate& at, int intervals, double 
                     .slope =
                         [&](double theta) {
                           const double middle = inside(theta, end);
-                          at(middle, -0.5 * width, g);
-                          at(middle, 0.5 * width, h);
-                          return (h[row] - g[row]) / width;
+                          at(middle, -0.5 * difference_width, g);
+                          at(middle, 0.5 * difference_width, h);
+                          return (h[row] - g[row]) / difference_width;
                         }};
     const ZeroRules rules = rules_of(k, samples[k]);
     int side = side_[k];
@@ -163,7 +165,7 @@ std::optional<double> Watch::first_of(const Evaluate& at, int intervals, double 
 }
 
 bool Watch::happen(double theta, double t, double dt) {
-  const double tie = together * std::numeric_limits<double>::epsilon() * std::max(1.0, std::abs(t) / dt);
+  const double tie = tie_roundings * std::numeric_limits<double>::epsilon() * std::max(1.0, std::abs(t) / dt);
   bool stops = false;
   for (std::size_t k = 0; k < side_.size(); ++k) {
     if (!(found_[k] && found_[k]->theta <= theta + tie)) continue;

@@ -140,21 +140,21 @@ class Run {
 
  private:
   // A located step is solved anew so often at most; three times are enough unless its sweeps are loose.
-  static constexpr int most_solves = 20;
+  static constexpr int max_location_iterations = 20;
   // It stands where solving it anew moves its end by no more than this, of itself.
-  static constexpr double stands = 1e-14;
+  static constexpr double location_tolerance = 1e-14;
   // It stands as well where its end moves no less than the last time, as rounding or the tolerance of the sweeps has
   // it: by no more than this of itself, or of the whole step,
-  static constexpr double jitters = 1e-6, still = 1e-10;
+  static constexpr double stagnation_tolerance = 1e-6, stagnation_of_step = 1e-10;
   // or, where it has been solved so often, by this: a function that hardly changes in the step touches zero.
-  static constexpr int often = 6;
-  static constexpr double hardly = 1e-3;
+  static constexpr int grazing_iterations = 6;
+  static constexpr double grazing_tolerance = 1e-3;
   // How far beyond its end a step that was shortened is looked at again.
-  static constexpr double a_little_beyond = 1.1;
+  static constexpr double search_limit = 1.1;
   // A scheme cannot extrapolate from so small a part of a step to the next whole one.
-  static constexpr double too_little = 0.5;
+  static constexpr double extrapolation_limit = 0.5;
   // Steps so many roundings of the time long do not pass time.
-  static constexpr double no_time = 1000.0;
+  static constexpr double time_resolution = 1000.0;
 
   void forget() { task_.scheme_can.forget(task_.scheme); }
 
@@ -245,7 +245,7 @@ class Run {
   // Takes the step that stands, and the jump and the events at its end.
   bool accept() {
     task_.scheme_can.accept(task_.scheme, dt_);
-    if (dt_ < too_little * whole_) forget();
+    if (dt_ < extrapolation_limit * whole_) forget();
     const bool stops = task_.watch && landed_at_ && task_.watch->happen(*landed_at_, to_.t, dt_);
     const bool go_on = task_.observe(task_.observer, state_, to_, dt_);
     if (problem_.jumps() && !jump()) return false;
@@ -275,7 +275,7 @@ class Run {
   }
 
   bool accumulates() {
-    const double shortest = no_time * rounding_unit * std::max(std::abs(state_.t), task_.t_end);
+    const double shortest = time_resolution * rounding_unit * std::max(std::abs(state_.t), task_.t_end);
     at_once_ = landed_at_ && dt_ <= shortest ? at_once_ + 1 : 0;
     if (at_once_ <= (task_.watch ? task_.watch->settings() : WatchSettings{}).most_at_once) return false;
     out_.accumulation = state_.t;
@@ -299,12 +299,12 @@ class Run {
   // step, but keeps the step that it has chosen.
   Decision land() {
     double off = std::numeric_limits<double>::infinity();
-    for (int solves = 0; solves < most_solves; ++solves) {
+    for (int solves = 0; solves < max_location_iterations; ++solves) {
       const double before = std::exchange(off, 0.0);
-      const std::optional<double> first = first_stop(solves == 0 ? 1.0 : a_little_beyond);
+      const std::optional<double> first = first_stop(solves == 0 ? 1.0 : search_limit);
       if (!first) return {.accepted = true};
       off = std::abs(*first - 1.0);
-      if (off <= stands || (off >= 0.5 * before && moves_no_more(off, solves))) {
+      if (off <= location_tolerance || (off >= 0.5 * before && moves_no_more(off, solves))) {
         landed_at_ = first;
         return {.accepted = true};
       }
@@ -318,7 +318,8 @@ class Run {
   }
 
   bool moves_no_more(double off, int solves) const {
-    return (solves > 1 && off * dt_ <= std::max(jitters * dt_, still * whole_)) || (solves >= often && off <= hardly);
+    return (solves > 1 && off * dt_ <= std::max(stagnation_tolerance * dt_, stagnation_of_step * whole_)) ||
+           (solves >= grazing_iterations && off <= grazing_tolerance);
   }
 
   const Task& task_;
