@@ -50,7 +50,7 @@ void validate(const CollocationSettings& settings) {
 
 AnyCollocation::AnyCollocation(const CollocationTable& table, int order, CollocationSettings settings,
                                StageSolver solver)
-    : table_(&table), order_(order), settings_(std::move(settings)), solver_(std::move(solver)) {
+    : table_(&table), A_(table.A), order_(order), settings_(std::move(settings)), solver_(std::move(solver)) {
   validate(settings_);
 }
 
@@ -59,7 +59,7 @@ bool AnyCollocation::predict(const Problem& problem, const State& from, double d
   if (!guess(problem, from, dt)) return false;
   if (is_newton()) {
     const bool bad = retried_ || rate_ > slow;
-    if (!solver_.newton.prepare(problem, from, dt, {.A = table_->A, .sizes = sizes(from), .bad = bad})) return false;
+    if (!solver_.newton.prepare(problem, from, dt, {.A = A_, .sizes = sizes(from), .bad = bad})) return false;
   }
   advance_time(from, dt, to);
   to.y = from.y;

@@ -144,6 +144,7 @@ class AnyCollocation {
   Eigen::VectorXd filtered(const Eigen::VectorXd& defect, double dt) const;
 
   const CollocationTable* table_;
+  Eigen::MatrixXd A_;  // of the table, as Newton takes it
   int order_;
   CollocationSettings settings_;
   StageSolver solver_;

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
-#include <deque>
 #include <limits>
+#include <memory>
 #include <stdexcept>
 #include <utility>
 #include <variant>
@@ -225,18 +225,19 @@ struct NewtonSteps::Jacobians {
 };
 
 struct NewtonSteps::Factors {
-  std::deque<Eigen::PartialPivLU<Eigen::MatrixXcd>> dense;  // one an eigenvalue, of one kind or the other
-  std::deque<Eigen::SparseLU<SparseComplex>> sparse;
+  std::vector<Eigen::PartialPivLU<Eigen::MatrixXcd>> dense;  // one an eigenvalue, of one kind or the other
+  std::vector<std::unique_ptr<Eigen::SparseLU<SparseComplex>>> sparse;
 
   void add(const Derivatives<Eigen::MatrixXd>& by, Complex shift) {
     dense.emplace_back().compute(system<Eigen::MatrixXcd>(by, shift));
   }
   void add(const Derivatives<SparseJacobian>& by, Complex shift) {
-    sparse.emplace_back().compute(system<SparseComplex>(by, shift));
+    sparse.push_back(std::make_unique<Eigen::SparseLU<SparseComplex>>());
+    sparse.back()->compute(system<SparseComplex>(by, shift));
   }
   Eigen::VectorXcd solve(std::size_t i, const Eigen::VectorXcd& right) const {
     if (!dense.empty()) return dense[i].solve(right);
-    if (sparse[i].info() == Eigen::Success) return sparse[i].solve(right);
+    if (sparse[i]->info() == Eigen::Success) return sparse[i]->solve(right);
     return Eigen::VectorXcd::Constant(right.size(), std::numeric_limits<double>::quiet_NaN());
   }
 };
