@@ -8,10 +8,11 @@
 #include <type_traits>
 #include <vector>
 
+#include <particulate/schemes/outcome.hpp>
 #include <particulate/schemes/problem.hpp>
 
 /// @file
-/// What a scheme and its step control must offer, and how a run ends. Nothing here knows a force law or a stage count.
+/// What a scheme and its step control must offer. Nothing here knows a force law or a stage count.
 
 namespace particulate::schemes {
 
@@ -99,21 +100,6 @@ concept EstimatesTruncation = requires(S& s, const Problem& p, const State& from
   { s.truncation(p, from, dt, to) } -> std::same_as<Truncation>;
 };
 
-/// Why a run could not go on.
-enum class Failure {
-  none,               ///< it could
-  no_value,           ///< the problem has no finite value at the step's iterates
-  diverging,          ///< the sweeps drive the iterates apart
-  slow,               ///< the sweeps contract, but do not meet the tolerance in as many as are allowed
-  rounding,           ///< the tolerance asks for less than the rounding of the state
-  time_stands_still,  ///< the step is too small to change the time
-  inaccurate,         ///< the error of the step stays above the tolerance
-  unsettled_jump,     ///< a jump of the state could not be completed
-  not_located,        ///< a jump or an event is in a step, but no shorter step ends there
-  accumulating,       ///< jumps or events follow one another ever faster, and never get beyond a time
-  beyond_limit        ///< a fixed step spans more of a time scale of the problem than the scheme can
-};
-
 /// What the controller made of an attempt.
 struct Decision {
   bool accepted = false;            ///< the step stands
@@ -148,34 +134,5 @@ concept FixesSweeps = C::fixes_sweeps && requires(const C& c) {
 /// right-hand sides.
 template <class C>
 concept IgnoresTruncation = C::ignores_truncation;
-
-/// How a run ended.
-enum class Status {
-  reached,  ///< the end time was reached
-  stopped,  ///< the observer asked to stop, or an event did
-  failed    ///< it could not go on; the reason says why
-};
-
-/// What a run did. The state that it leaves belongs to time t, whatever the status.
-struct [[nodiscard]] Outcome {
-  Status status = Status::reached;  ///< how it ended
-  std::string reason = {};          ///< why it stopped or failed: what was seen, what would have worked
-  Failure failure = Failure::none;  ///< why it failed, for a program
-  double workable_step = std::numeric_limits<double>::quiet_NaN();  ///< after a failure: the step that would have met
-                                                                    ///< the tolerance; NaN: unknown [s]
-  double t = 0.0;                                                   ///< the time of the state that was left [s]
-  long steps = 0;                                                   ///< accepted steps [-]
-  long rejections = 0;                                              ///< steps that were refused and tried again [-]
-  long sweeps = 0;             ///< sweeps of the iteration, in refused steps too [-]
-  long evaluations = 0;        ///< right-hand sides [-]
-  long impacts = 0;            ///< impulses exchanged by jumps [-]
-  double contraction = 0.0;    ///< largest Iteration::rate seen above rounding [-]
-  double overlap = 0.0;        ///< deepest overlap of two bodies at the end of any step [m]
-  double energy_change = 0.0;  ///< of the kinetic energy by jumps [J]
-  double accumulation = std::numeric_limits<double>::quiet_NaN();  ///< after Failure::accumulating: the time that jumps
-                                                                   ///< or events do not get beyond [s]
-  std::vector<JumpShare> jumps_by_law = {};  ///< of each law that jumps, in their order; empty where there is one
-  std::string ruled = {};                    ///< the time scale of the problem that cut a step last; empty: none did
-};
 
 }  // namespace particulate::schemes
