@@ -110,7 +110,7 @@ Touching find_touching(const D& domain, const laws::At<laws::Velocity>& at, cons
   const auto add = [&](Eigen::Index i, Eigen::Index j, double depth, const Eigen::Vector3d& n) {
     found.directed = found.directed && n.allFinite();
     found.overlap = std::max(found.overlap, depth);
-    found.contacts.push_back({.i = i, .j = j, .n = n});
+    found.contacts.push_back({.i = i, .j = j, .n = n, .overlap = depth});
   };
   const bool exact = tolerance.relative == 0.0 && tolerance.roundings == 0.0;
   const auto closed = [&](double gap, Eigen::Index i, Eigen::Index j) {
