@@ -77,7 +77,7 @@ void hold(Touching& touching, double dt) {
   for (Touch& touch : touching.contacts) {
     const double half = 0.5 * dt * touch.acceleration.dot(touch.n);
     touch.hold = dt;
-    touch.parting = half + (half > 0.0 ? std::clamp(0.5 * (touch.depth / dt - half), 0.0, 2.0 * half) : 0.0);
+    touch.parting = half + (half > 0.0 ? std::clamp(0.5 * (touch.overlap / dt - half), 0.0, 2.0 * half) : 0.0);
   }
 }
 

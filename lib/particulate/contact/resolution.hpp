@@ -27,12 +27,13 @@ struct Touch {
   Eigen::Index j = -1;                                     ///< the other; negative: a wall
   Eigen::Vector3d n = Eigen::Vector3d::Zero();             ///< unit vector from i to j
   Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();  ///< of i minus that of j, by all other forces [m/s^2]
-  double depth = 0.0;                                      ///< overlap, negative: a gap that counts as closed [m]
+  double overlap = 0.0;                                    ///< how deep they overlap [m]
   double hold = 0.0;                                       ///< step to hold it over if it rests; 0: it is not held [s]
   double parting = 0.0;                                    ///< speed at which it parts at least if it is held [m/s]
 };
 
-/// One impact, as it was resolved.
+/// One impact, as it was resolved. Friction of contacts that were hit one after the other has a record of its own,
+/// without a push: it is decided when the last one is.
 struct ImpactRecord {
   Eigen::Index i = 0;                                    ///< one particle
   Eigen::Index j = -1;                                   ///< the other; negative: a wall
@@ -52,6 +53,7 @@ inline const ImpactRecorder nobody = {};  ///< records nothing
 struct Resolved {
   long impacts = 0;            ///< impulses exchanged [-]
   double largest_impulse = 0;  ///< largest normal impulse of one impact [N s]
+  double energy_change = 0;    ///< of the kinetic energy: every impulse times the mean relative velocity it acts on [J]
   std::string unsettled;       ///< not empty: pairs still approach, how fast, and what to do
 };
 
@@ -66,12 +68,19 @@ struct Resolved {
 ///
 /// with W the inverse mass matrix seen along the normals, contacts that would have to pull left out. So a symmetric hit
 /// stays symmetric and the order of numbering does not matter, beyond rounding. Without other forces the normal
-/// impulses of a group take the energy \f$ \tfrac12 (1 - e^2)\, u^T W^{-1} u \ge 0 \f$. Friction of a group is scaled
-/// back where it would stop more than there is, so it takes energy too. A cluster is settled when it approaches nowhere
-/// faster than 1e-13 of its first approach, or than the rounding of its velocities; it is given up after
-/// \f$ 10^4 + 200\,n^2 \f$ rounds of n contacts, which a light body pinched between bodies thousands of times as heavy
-/// needs, as it carries their momentum across in as many hits as that ratio, and which never suffice to an elastic body
-/// held between opposite walls. Two bodies that are both immovable exchange
+/// impulses of a group take the energy \f$ \tfrac12 (1 - e^2)\, u^T W^{-1} u \ge 0 \f$.
+///
+/// Once no pair approaches, tangential_impulses() decides the friction of all contacts of the cluster together that
+/// have pushed, equally fast or not, from the whole push of each and the slip that is left; it never gives energy.
+/// Where it presses a pair together, pushes follow, and friction is decided anew from the sums, until both agree, at
+/// most 1000 times; from the hundredth on it is kept if it presses nothing faster than 1e-9 of the first approach:
+/// pushes alone make the end, and what sticks may slip about that fast. Contacts that only touch have no push, so no
+/// friction.
+///
+/// A cluster is settled when it approaches nowhere faster than 1e-13 of its first approach, or than the rounding of its
+/// velocities; it is given up after \f$ 10^4 + 200\,n^2 \f$ rounds of n contacts, which a light body pinched between
+/// bodies thousands of times as heavy needs, as it carries their momentum across in as many hits as that ratio, and
+/// which never suffice to an elastic body held between opposite walls. Two bodies that are both immovable exchange
 /// nothing.
 ///
 /// Contacts that are to be held (Touch::hold) and rest take no part in that. Afterwards every cluster with an approach
