@@ -233,6 +233,28 @@ BOOST_AUTO_TEST_CASE(refuses_what_comes_to_rest_and_tells_when) {
   BOOST_TEST(contains(jump.unsettled, "take stepped contacts (Contact)"));
 }
 
+// e = 0.25 at 2e-6 m/s leaves 5e-7 m/s, of which the next impact keeps nearly 0.5, and half of that the next.
+BOOST_AUTO_TEST_CASE(counts_in_how_restitution_rises_as_impacts_grow_gentle) {
+  const LocatedContact law{.restitution = Restitution{.e_o = 0.5, .v_star = 4e-6}};
+  const Moment ball{spheres(Vectors{{0.0, 0.0, 0.5}}, Vectors{{0.0, 0.0, -2e-6}})};
+  const Jump jump = resolved(law, ball, ground, Vectors{{0.0, 0.0, -10.0}}).jump;
+  BOOST_TEST(jump.accumulates - 3.0 == 0.2 * speeds_to_come(law.restitution, 5e-7), tolerance(1e-7));
+  BOOST_TEST(jump.accumulates - 3.0 < 0.2 * 1e-6);
+}
+
+// With e -> 1 impacts never end: hops of 5e-13 (1 - 2e-6 m/s / v*)^2 m/2 go on; what the tolerance hides does not.
+BOOST_AUTO_TEST_CASE(does_not_end_what_does_not_accumulate) {
+  const auto law = [](double touching) {
+    return LocatedContact<Restitution>{.restitution = {.v_star = 1.0}, .touching = touching};
+  };
+  const Moment ball{spheres(Vectors{{0.0, 0.0, 0.5}}, Vectors{{0.0, 0.0, -1e-5}})};
+  const Vectors weight{{0.0, 0.0, -10.0}};
+  BOOST_TEST(resolved(law(1e-12), ball, ground, weight).jump.unsettled.empty());
+  const Jump jump = resolved(law(1e-11), ball, ground, weight).jump;
+  BOOST_TEST(contains(jump.unsettled, "their impacts go on for ever"), jump.unsettled);
+  BOOST_TEST(std::isnan(jump.accumulates));
+}
+
 BOOST_AUTO_TEST_CASE(refuses_what_stays_pressed_without_restitution) {
   const LocatedContact law{.restitution = ConstantRestitution{0.0}};
   const Moment pair{spheres(Vectors{{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}}, Vectors{{1.0, 0.0, 0.0}, {0.0, 0.0, 0.0}})};

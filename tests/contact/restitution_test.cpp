@@ -67,4 +67,24 @@ BOOST_AUTO_TEST_CASE(names_the_share_that_is_none) {
 
 BOOST_AUTO_TEST_SUITE_END()
 
+BOOST_AUTO_TEST_SUITE(speeds_to_come_)
+
+// 2 (1 + 1/2 + 1/4 + ...) = 4. With e = 0.5 (1 - w/8) from 2 m/s: 2, 0.75, 0.33984375, ... summed in a loop of its own.
+BOOST_AUTO_TEST_CASE(are_summed_over_all_impacts) {
+  BOOST_TEST(speeds_to_come(ConstantRestitution{0.5}, 2.0) == 4.0);
+  BOOST_TEST(speeds_to_come(ConstantRestitution{0.0}, 2.0) == 2.0);
+  BOOST_TEST(speeds_to_come(ConstantRestitution{1.0}, 0.0) == 0.0);
+  BOOST_TEST(std::isinf(speeds_to_come(ConstantRestitution{1.0}, 2.0)));
+  long double w = 2.0L, sum = 0.0L;
+  for (int k = 0; k < 200; ++k) sum += w, w *= 0.5L * (1.0L - w / 8.0L);
+  BOOST_TEST(speeds_to_come(Restitution{.e_o = 0.5, .v_star = 8.0}, 2.0) == static_cast<double>(sum), tolerance(1e-15));
+  BOOST_TEST(speeds_to_come(Restitution{.e_o = 0.5}, 2.0) == 4.0, tolerance(1e-15));
+}
+
+BOOST_AUTO_TEST_CASE(have_no_end_where_gentle_impacts_keep_everything) {
+  BOOST_TEST(std::isinf(speeds_to_come(Restitution{.v_star = 8.0}, 2.0)));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace tests::restitution_test

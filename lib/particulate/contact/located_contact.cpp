@@ -27,13 +27,15 @@ struct Rest {
   Touch touch;
   double parting;  // speed after the impact [m/s]
   double rises;    // the widest gap before they meet again [m]
-  double over;     // time at which all their impacts are over [s]
+  double over;     // time at which all their impacts are over; infinite: they never are [s]
 };
 
 // The first contact whose bodies are pressed together again before they have parted by more than can be told from none.
 std::optional<Rest> first_at_rest(const Touching& touching, const ClosedGap& gap, const laws::At<laws::Velocity>& at,
-                                  const kinematics::VectorsIn& after, schemes::In force) {
+                                  const kinematics::VectorsIn& after, schemes::In force,
+                                  const std::function<double(double)>& to_come) {
   constexpr double indistinct = 100.0, rounding = 1e-13;
+  constexpr double indistinct_for_ever = 4.0;  // what accumulates nowhere goes on as long as it can be followed
   const Eigen::Map<const kinematics::Vectors> f(force.data(), at.mass.size(), 3);
   for (const Touch& touch : touching.contacts) {
     const double met = approach_speed(touch, at.velocity);
@@ -43,9 +45,10 @@ std::optional<Rest> first_at_rest(const Touching& touching, const ClosedGap& gap
     if (!(met > 0.0 && pressed > rounding * felt)) continue;
     const double parting = std::max(0.0, -approach_speed(touch, after));
     const double rises = parting * parting / (2.0 * pressed);
-    if (rises > indistinct * gap.between(at.position, at.radius, touch.i, touch.j)) continue;
-    const double kept = parting / met;
-    const double flights = kept < 1.0 ? 2.0 * parting / (pressed * (1.0 - kept)) : 0.0;
+    const double slack = gap.between(at.position, at.radius, touch.i, touch.j);
+    if (rises > indistinct * slack) continue;
+    const double flights = 2.0 * to_come(parting) / pressed;
+    if (std::isinf(flights) && rises > indistinct_for_ever * slack) continue;
     return Rest{.touch = touch, .parting = parting, .rises = rises, .over = at.t + flights};
   }
   return {};
@@ -56,9 +59,11 @@ std::string comes_to_rest(const Rest& rest, double t) {
                                            : fmt::format("particles {} and {}", rest.touch.i, rest.touch.j);
   return fmt::format(
       "{} come to rest on each other: after their impact at t = {} s they part at {:.3g} m/s, the other forces press "
-      "them together again before they are {:.3g} m apart, and their impacts are over at t = {} s; located contacts "
-      "cannot hold what rests: end the run before, or take stepped contacts (Contact)",
-      who, t, rest.parting, rest.rises, rest.over);
+      "them together again before they are {:.3g} m apart, and their impacts {}; located contacts cannot hold what "
+      "rests: end the run before, or take stepped contacts (Contact)",
+      who, t, rest.parting, rest.rises,
+      std::isinf(rest.over) ? std::string("go on for ever, ever smaller or as small as these")
+                            : fmt::format("are over at t = {} s", rest.over));
 }
 
 // A gap that may close: between two spheres, or between one and a wall.
@@ -192,12 +197,12 @@ std::optional<double> first_closing(const AnyDomain& domain, const ClosedGap& to
 }
 
 void tell_rest(const Touching& touching, const ClosedGap& gap, const laws::At<laws::Velocity>& at, schemes::In after,
-               schemes::In force, schemes::Jump& jump) {
+               schemes::In force, const std::function<double(double)>& to_come, schemes::Jump& jump) {
   const Eigen::Map<const kinematics::Vectors> parting(after.data(), at.mass.size(), 3);
-  const std::optional<Rest> rest = first_at_rest(touching, gap, at, parting, force);
+  const std::optional<Rest> rest = first_at_rest(touching, gap, at, parting, force, to_come);
   if (!rest) return;
   jump.unsettled = comes_to_rest(*rest, at.t);
-  jump.accumulates = rest->over;
+  if (std::isfinite(rest->over)) jump.accumulates = rest->over;
 }
 
 }  // namespace detail

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <utility>
@@ -24,9 +25,10 @@ namespace particulate::contact {
 ///
 /// Bodies that come to rest on each other meet infinitely often in a finite time. Where after an impact the other
 /// forces press a pair together again before it has parted by a hundred times the touching tolerance, the run ends with
-/// schemes::Failure::accumulating and the time at which all impacts would be over, \f$ t + 2 w/(a (1 - e)) \f$ for a
-/// speed w after the impact, e times that before, and a constant acceleration a: a located contact cannot hold what
-/// rests.
+/// schemes::Failure::accumulating and the time at which all impacts would be over if the two met alone under a constant
+/// acceleration a, \f$ t + (2/a) \sum_k w_k \f$ with the speeds of speeds_to_come() after each impact: a located
+/// contact cannot hold what rests. Impacts that never end, as their restitution tends to 1, go on until the two part by
+/// less than four times the tolerance; the run then ends with schemes::Failure::unsettled_jump, and no time.
 /// @tparam RestitutionLaw  ConstantRestitution or Restitution
 /// @tparam FrictionLaw     Frictionless or Friction
 template <class RestitutionLaw = ConstantRestitution, class FrictionLaw = Frictionless>
@@ -96,9 +98,9 @@ AnyDomain erased(const D& domain) {
 std::optional<double> first_closing(const AnyDomain& domain, const ClosedGap& tolerance, const Eigen::VectorXd& radius,
                                     const Eigen::VectorXd& inverse_mass, const schemes::StepPath& path, double end);
 
-// Books in a jump that two bodies have come to rest on each other, if any have.
+// Books in a jump that two bodies have come to rest on each other, if any have; to_come gives speeds_to_come().
 void tell_rest(const Touching& touching, const ClosedGap& gap, const laws::At<laws::Velocity>& at, schemes::In after,
-               schemes::In force, schemes::Jump& jump);
+               schemes::In force, const std::function<double(double)>& to_come, schemes::Jump& jump);
 
 }  // namespace detail
 
@@ -134,7 +136,8 @@ schemes::Jump resolve_impacts(const LocatedContact<R, F>& law, const laws::At<la
   if (!touching.directed) return {.overlap = touching.overlap, .unsettled = without_direction(touching)};
   schemes::Jump jump = exchange_impulses(law, 0.0, at, touching, force, velocity);
   if (!jump.unsettled.empty()) return jump;
-  detail::tell_rest(touching, touching_tolerance(law), at, velocity, force, jump);
+  const auto to_come = [&](double speed) { return speeds_to_come(law.restitution, speed); };
+  detail::tell_rest(touching, touching_tolerance(law), at, velocity, force, to_come, jump);
   return jump;
 }
 

@@ -1,5 +1,6 @@
 #include <particulate/contact/restitution.hpp>
 
+#include <limits>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -19,6 +20,24 @@ void validate(const Restitution& law) {
     throw std::invalid_argument(fmt::format(
         "restitution: v_star must be positive, infinite for a restitution that does not fall, got {} m/s", law.v_star));
   }
+}
+
+double speeds_to_come(const ConstantRestitution& law, double speed) {
+  if (!(speed > 0.0)) return 0.0;
+  return law.e < 1.0 ? speed / (1.0 - law.e) : std::numeric_limits<double>::infinity();
+}
+
+double speeds_to_come(const Restitution& law, double speed) {
+  // A series so slow that this many terms do not end it is that of e_o by then.
+  constexpr int most = 1000000;
+  const ConstantRestitution gentle{law.e_o};
+  if (law.e_o == 1.0) return speeds_to_come(gentle, speed);
+  double sum = 0.0;
+  for (int k = 0; k < most && speed > 1e-16 * (1.0 - law.e_o) * law.v_star; ++k) {
+    sum += speed;
+    speed *= restitution_at(law, speed);
+  }
+  return sum + speeds_to_come(gentle, speed);
 }
 
 void validate(const ConstantRestitution& law) {

@@ -34,6 +34,17 @@ inline double restitution_at(const Restitution& law, double approach_speed) {
   return std::max(law.e_o * (1.0 - approach_speed / law.v_star), law.e_minus);
 }
 
+/// Sum of the speeds at which a ball leaves an impact and all that follow it, each as fast as the one before left it.
+///
+/// \f[ w_0 + w_1 + w_2 + \dots, \qquad w_{k+1} = e(w_k)\, w_k \f]
+///
+/// @equation{D 2.4.2} Under a constant acceleration a every flight takes 2 w/a. Summed until the rest is that of a
+/// constant e_o. With e_o = 1 it has no end: w falls as v*/k.
+/// @param law    constants that validate() accepts
+/// @param speed  after the first impact, >= 0 [m/s]
+/// @return sum, infinite if there is no end of it [m/s]
+double speeds_to_come(const Restitution& law, double speed);
+
 /// The same share of the approach speed at any speed: a contact that carries this asks for no speed at all.
 struct ConstantRestitution {
   double e = 1.0;  ///< 0 <= e <= 1 [-]
@@ -51,5 +62,13 @@ void validate(const ConstantRestitution& law);
 /// @param law  a coefficient that validate() accepts
 /// @return e, whatever the approach speed [-]
 inline double restitution_at(const ConstantRestitution& law, double) { return law.e; }
+
+/// The same of a restitution that does not fall: a geometric series.
+///
+/// @equation{D 2.13}
+/// @param law    a coefficient that validate() accepts
+/// @param speed  after the first impact, >= 0 [m/s]
+/// @return speed/(1 - e), infinite for e = 1 [m/s]
+double speeds_to_come(const ConstantRestitution& law, double speed);
 
 }  // namespace particulate::contact
