@@ -649,6 +649,30 @@ BOOST_AUTO_TEST_CASE(holds_a_stack_and_what_a_changed_step_pressed_in) {
   }
 }
 
+// A million times as heavy, it would come to rest on the light one in as many hits.
+BOOST_AUTO_TEST_CASE(holds_a_heavy_ball_on_a_light_one) {
+  const Particles balls{.position = Vectors{{0.0, 0.0, 0.5}, {0.0, 0.0, 1.5}},
+                        .velocity = Vectors::Zero(2, 3),
+                        .mass = Eigen::Vector2d(1.0, 1e6),
+                        .radius = Eigen::Vector2d::Constant(0.5)};
+  const Scene scene(balls, floor_at_zero, Gravity{}, Contact{.restitution = ConstantRestitution{0.5}});
+  State state = start(scene);
+  const Outcome outcome = run(scene, state, 1.0, VelocityVerlet(), FixedStep{.step = 1e-3});
+  BOOST_TEST((outcome.status == Status::reached), outcome.reason);
+  BOOST_TEST(state.r[5] > 1.5 - 4.0 * 9.81e-6);
+}
+
+// Too narrow by 0.05, there is no room to work the overlap off: it stays.
+BOOST_AUTO_TEST_CASE(holds_a_ball_that_is_pinched) {
+  const Space slot{{Wall{}, Wall{.point = {0.0, 0.0, 0.95}, .normal = {0.0, 0.0, -1.0}}}};
+  const Scene scene(ball(0.48, {0.0, 0.0, -1.0}), slot, Gravity{}, Contact{.restitution = ConstantRestitution{0.5}});
+  State state = start(scene);
+  const Outcome outcome = run(scene, state, 1.0, VelocityVerlet(), FixedStep{.step = 1e-3});
+  BOOST_TEST((outcome.status == Status::reached), outcome.reason);
+  BOOST_TEST(outcome.overlap_at_start == 0.03, tolerance(1e-12));
+  BOOST_TEST(std::abs(state.r[2] - 0.48) < 2e-3);
+}
+
 // On a slope of tan = 3/4: mu_s g cos >= g sin holds; with mu_d = 0.5 it slides at g (0.6 - 0.5 0.8).
 BOOST_AUTO_TEST_CASE(lets_a_ball_stick_to_a_slope_or_slide_down_it) {
   const Space slope{{Wall{.point = {0.0, 0.0, 0.0}, .normal = {0.6, 0.0, 0.8}}}};

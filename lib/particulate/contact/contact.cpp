@@ -77,6 +77,7 @@ void hold(Touching& touching, double dt) {
   for (Touch& touch : touching.contacts) {
     const double half = 0.5 * dt * touch.acceleration.dot(touch.n);
     touch.hold = dt;
+    touch.slow = std::max(0.0, 2.0 * half * (1.0 + 1e-9));
     touch.parting = half + (half > 0.0 ? std::clamp(0.5 * (touch.overlap / dt - half), 0.0, 2.0 * half) : 0.0);
   }
 }

@@ -20,18 +20,18 @@ namespace particulate::contact {
 /// contact, so the motion stays smooth. The impulse comes late by part of a step, an error of O(Dt).
 ///
 /// By default an impact takes no time, so that an elastic ball keeps its energy to rounding. What rests is held, unless
-/// impulses are summed: where
-/// the other forces press two bodies together with the acceleration \f$ a_n \f$, and all of their approach was made
-/// within the step (\f$ u \le a_n\,\Delta t \f$) or restitution would part them for less than one, they part at
+/// impulses are summed: where the other forces press two bodies together with the acceleration \f$ a_n \f$, and they
+/// approach no faster than such forces made any contact that hangs together with theirs within the step
+/// (\f$ u \le a_n\,\Delta t \f$), or restitution would part them for less than one, they part at
 ///
 /// \f[ w = \tfrac12\, a_n\,\Delta t + \min\!\left(a_n\,\Delta t,\;
 ///     \tfrac12 \left\langle \frac{\delta}{\Delta t} - \tfrac12\, a_n\,\Delta t \right\rangle\right), \f]
 ///
-/// instead: under constant forces the next step ends where it began, and an overlap delta beyond that of a fall of one
-/// step is worked off. So nothing sinks, and every contact of a cluster parts with w at least. Static friction stops
-/// the slip halfway through the step to come, so that nothing creeps either. Held bodies quiver with \f$ \tfrac12
-/// a_n\,\Delta t \f$ between the ends of steps. All of this is exact for schemes of second order or more; Euler's
-/// methods rest an overlap of \f$ a_n\,\Delta t^2 \f$ deep, and creep.
+/// instead: under constant forces the next step ends where it began. The second term, where there is room, works off an
+/// overlap delta beyond that of a fall of one step, such as an impact or a start leaves; its work is booked. So nothing
+/// sinks. Static friction stops the slip halfway through the step to come, so that nothing creeps either. Held bodies
+/// quiver with \f$ \tfrac12 a_n\,\Delta t \f$ between the ends of steps. All of this is exact for schemes of second
+/// order or more; Euler's methods rest an overlap of \f$ a_n\,\Delta t^2 \f$ deep, and creep.
 ///
 /// A gamma is the monograph's: the other forces act on the pair over the duration gamma Dt, for which the impulse makes
 /// up. As the step that follows applies them again, an elastic ball gains their work over the duration, O(gamma Dt) an
@@ -206,7 +206,7 @@ void set_accelerations(Touching& touching, const Eigen::VectorXd& inverse_mass, 
 
 /// Has contacts held over the next step if they rest. @see Contact
 ///
-/// @param touching  contacts with their accelerations; receives Touch::hold and Touch::parting
+/// @param touching  contacts with their accelerations; receives Touch::hold, parting and slow
 /// @param dt        the step that ends here, taken for the next one as well [s]
 void hold(Touching& touching, double dt);
 

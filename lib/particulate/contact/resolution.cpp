@@ -57,11 +57,10 @@ struct Meeting {
   double wanted = 0.0;  // change of u that restitution asks for: (1 + e)(u + Delta_1)
 };
 
-// A contact that is held: all its approach is what the other forces made of it within one step, or it would not part
-// for as long as one step.
+// A contact that is held: it approaches no faster than the other forces can have made it, or anything that it carries,
+// within one step, or it would not part for as long as one step.
 bool rests(const Touch& touch, double u, double e) {
-  const double made = touch.hold * touch.acceleration.dot(touch.n);
-  return made > 0.0 && (u <= made * (1.0 + 1e-9) || e * u <= touch.parting);
+  return touch.slow > 0.0 && (u <= touch.slow || e * u <= touch.parting);
 }
 
 template <class R, class F>
@@ -411,6 +410,10 @@ void settle(const ContactResolver<R, F>& law, Motions& motions, std::vector<Touc
   double pressed = first;  // by the friction decided last
   int rubbed = 0;
   for (long round = 0; round < most_rounds; ++round) {
+    if (law.holding && round == n + 10) {  // there is no room to work off overlap: what only holds always has an answer
+      for (Touch& touch : cluster.contacts) touch.parting = duration * touch.acceleration.dot(touch.n);
+      meetings = meetings_of(law, motions, cluster.contacts, duration);
+    }
     const std::vector<std::size_t> group = fastest_group(meetings, at_rest, noise, law.holding);
     if (group.empty()) return;
     for (const std::vector<std::size_t>& part : connected(cluster.contacts, group, motions.inverse_mass)) {
@@ -433,12 +436,15 @@ void settle(const ContactResolver<R, F>& law, Motions& motions, std::vector<Touc
       most_rounds, n, fastest_met(meetings), pinched(motions, cluster));
 }
 
-bool any_approaches(const Motions& motions, const std::vector<Touch>& contacts, const std::vector<std::size_t>& which) {
-  return std::any_of(which.begin(), which.end(), [&](std::size_t k) { return motions.approach(contacts[k]) > 0.0; });
+// The fastest approach in a cluster that the other forces can have made within one step; 0: nothing is held.
+double slowest_impact(const std::vector<Touch>& contacts, const std::vector<std::size_t>& which) {
+  double slow = 0.0;
+  for (const std::size_t k : which) slow = std::max(slow, contacts[k].slow);
+  return slow;
 }
 
-bool any_is_pressed(const std::vector<Touch>& contacts, const std::vector<std::size_t>& which) {
-  return std::any_of(which.begin(), which.end(), [&](std::size_t k) { return contacts[k].parting > 0.0; });
+bool any_approaches(const Motions& motions, const std::vector<Touch>& contacts, const std::vector<std::size_t>& which) {
+  return std::any_of(which.begin(), which.end(), [&](std::size_t k) { return motions.approach(contacts[k]) > 0.0; });
 }
 
 }  // namespace
@@ -458,10 +464,12 @@ Resolved ContactResolver<RestitutionLaw, FrictionLaw>::operator()(const std::vec
   const ContactResolver<ConstantRestitution, FrictionLaw> holds{{0.0}, friction, resolution, recorder, true};
   for (const std::vector<std::size_t>& cluster : connected(touching, all, inverse_mass)) {
     if (!any_approaches(motions, touching, cluster)) continue;
-    settle(*this, motions, chosen(touching, cluster), duration, done);
+    std::vector<Touch> contacts = chosen(touching, cluster);
+    const double slow = slowest_impact(touching, cluster), hold = contacts.front().hold;
+    for (Touch& touch : contacts) touch.slow = slow;
+    settle(*this, motions, std::move(contacts), duration, done);
     if (!done.unsettled.empty()) break;
-    const double hold = touching[cluster.front()].hold;
-    if (any_is_pressed(touching, cluster)) settle(holds, motions, chosen(touching, cluster), 0.5 * hold, done);
+    if (slow > 0.0) settle(holds, motions, chosen(touching, cluster), 0.5 * hold, done);
   }
   return done;
 }

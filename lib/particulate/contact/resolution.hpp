@@ -30,6 +30,7 @@ struct Touch {
   double overlap = 0.0;                                    ///< how deep they overlap [m]
   double hold = 0.0;                                       ///< step to hold it over if it rests; 0: it is not held [s]
   double parting = 0.0;                                    ///< speed at which it parts at least if it is held [m/s]
+  double slow = 0.0;                                       ///< approach that the other forces make in hold [m/s]
 };
 
 /// One impact, as it was resolved. Friction of contacts that were hit one after the other has a record of its own,
