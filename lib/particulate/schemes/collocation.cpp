@@ -134,7 +134,7 @@ void AnyCollocation::forget() {
 
 void AnyCollocation::at(const State& from, double dt, double theta, State& there) const {
   const StageWeights once = table_->once(theta);
-  there.t = from.t + theta * dt;
+  advance_time(from, theta * dt, there);
   there.r = from.r + (theta * dt) * from.v;
   there.v = from.v;
   there.y = from.y;

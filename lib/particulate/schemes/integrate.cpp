@@ -127,7 +127,7 @@ class Run {
     if (locates_ && !task_.scheme_can.at) {
       throw std::invalid_argument(
           "run: events and located jumps need a scheme with dense output, at(from, dt, theta, "
-          "there); this one has none: take Collocation");
+          "there); this one has none");
     }
   }
 

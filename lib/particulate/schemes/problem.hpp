@@ -452,7 +452,7 @@ class Problem {
   /// @return whether the problem has a value there
   bool rates(double t, const Eigen::VectorXd& r, const Eigen::VectorXd& v, const Eigen::VectorXd& y, Rates& to) const {
     to.a.resize(r.size());
-    if (can_->traits.values) to.dy.resize(y.size());
+    to.dy.resize(can_->traits.values ? y.size() : 0);
     return rates(Where{t, {r.data(), r.size()}, {v.data(), v.size()}, {y.data(), y.size()}},
                  Answers{{to.a.data(), to.a.size()}, {to.dy.data(), to.dy.size()}});
   }
