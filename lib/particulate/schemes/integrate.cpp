@@ -133,6 +133,7 @@ class Run {
 
   Outcome go() {
     bool goes_on = true;
+    task_.scheme_can.begin(task_.scheme, problem_, state_);
     while (goes_on && state_.t < task_.t_end) goes_on = step();
     out_.t = state_.t;
     return out_;

@@ -221,7 +221,6 @@ bool difference_jacobian(const RatesOf& rates, const Eigen::VectorXd& x, const E
 
 struct NewtonSteps::Jacobians {
   std::variant<Derivatives<Eigen::MatrixXd>, Derivatives<SparseJacobian>> by;
-  Eigen::Index size;  // of the unknowns that they belong to
 };
 
 struct NewtonSteps::Factors {
@@ -242,18 +241,27 @@ struct NewtonSteps::Factors {
   }
 };
 
+// At known_at_.
+bool NewtonSteps::take(const Problem& problem) {
+  const auto keep = [&](auto by) {
+    if (by) jacobians_ = std::make_shared<Jacobians>(Jacobians{std::move(*by)});
+  };
+  jacobians_.reset();
+  factorized_ = 0.0;
+  sparse_ ? keep(sparse_derivatives(problem, known_at_, sizes_)) : keep(dense_derivatives(problem, known_at_, sizes_));
+  return jacobians_ != nullptr;
+}
+
+void NewtonSteps::renew(const Problem& problem) {
+  if (jacobians_) take(problem);
+}
+
 bool NewtonSteps::prepare(const Problem& problem, const State& from, double dt, const StageEquations& step) {
   if (!eigenvalues_) eigenvalues_ = std::make_shared<StageEigenvalues>(step.A);
-  const Eigen::Index size = step.sizes.size();
-  if (!jacobians_ || jacobians_->size != size || (step.bad && known_at_ != from.t)) {
-    jacobians_.reset();
-    const auto keep = [&](auto by) {
-      if (by) jacobians_ = std::make_shared<Jacobians>(Jacobians{std::move(*by), size});
-    };
-    sparse_ ? keep(sparse_derivatives(problem, from, step.sizes)) : keep(dense_derivatives(problem, from, step.sizes));
-    if (!jacobians_) return false;
-    known_at_ = from.t;
-    factorized_ = 0.0;
+  if (!jacobians_ || sizes_.size() != step.sizes.size() || (step.bad && known_at_.t != from.t)) {
+    known_at_ = from;
+    sizes_ = step.sizes;
+    if (!take(problem)) return false;
   }
   if (dt == factorized_) return true;
   const auto factors = std::make_shared<Factors>();

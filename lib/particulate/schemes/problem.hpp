@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -432,6 +433,11 @@ class Problem {
     same.hook_ = nullptr, same.count_ = nullptr;
     return same;
   }
+
+  /// Which problem it is: the object's address, and its type's.
+  using Identity = std::pair<const void*, const void*>;
+  /// @return whose; one that was changed in place stays the same
+  Identity identity() const { return {self_, can_}; }
 
   /// @return what it has
   const Traits& traits() const { return can_->traits; }
