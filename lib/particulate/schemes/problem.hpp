@@ -113,6 +113,16 @@ concept Measures = requires(const P& p, In x, In y) {
   { p.distance(x, y) } -> std::same_as<double>;
 };
 
+/// Ability: what a motion looks like from inside, wherever it is and however fast it moves as a whole: `spacing(r)`,
+/// the distance of the two bodies that are nearest to one another, 0 where there are none; and `common_motion(v,
+/// shared)`, the velocity that all of them share, as long as v. Errors are then relative to these, see ErrorScales and
+/// IterationMeasure. Without the ability places and velocities count from zero.
+template <class P>
+concept HasScales = requires(const P& p, In r, In v, Out shared) {
+  { p.spacing(r) } -> std::same_as<double>;
+  p.common_motion(v, shared);
+};
+
 /// Ability: `ranges()`, the named ranges that y falls into, one after the other. Without it y is one.
 template <class P>
 concept HasRanges = requires(const P& p) {
@@ -297,6 +307,8 @@ struct Abilities {
   void (*sparse_jacobian)(void*, const Where&, SparseJacobian&) = nullptr;
   Bandwidth (*bandwidth)(const void*) = nullptr;
   double (*distance)(const void*, const In&, const In&) = nullptr;
+  double (*spacing)(const void*, const In&) = nullptr;
+  void (*common_motion)(const void*, const In&, Out) = nullptr;
   std::vector<Range> (*ranges)(const void*) = nullptr;
   Jump (*jump)(void*, State&, double) = nullptr;
   std::optional<double> (*first_jump)(void*, const StepPath&, double) = nullptr;
@@ -360,6 +372,10 @@ constexpr void add_measures(Abilities& can) {
     can.field_distance = [](const void* p, std::size_t k, const In& x, const In& y) {
       return as<P>(p).distance(k, x, y);
     };
+  }
+  if constexpr (HasScales<P>) {
+    can.spacing = [](const void* p, const In& r) { return as<P>(p).spacing(r); };
+    can.common_motion = [](const void* p, const In& v, Out shared) { as<P>(p).common_motion(v, shared); };
   }
   if constexpr (HasRanges<P>) {
     can.ranges = [](const void* p) { return std::vector<Range>(as<P>(p).ranges()); };
@@ -502,6 +518,16 @@ class Problem {
   /// @param y  another value of it
   /// @return distance, >= 0, in its unit
   double distance(std::size_t k, const In& x, const In& y) const;
+  /// @return whether it knows its scales: see HasScales
+  bool has_scales() const { return can_->spacing; }
+  /// @param r  places [m] @return the distance of the two nearest bodies; 0 where it is unknown [m]
+  double spacing(const In& r) const { return can_->spacing ? can_->spacing(self_, r) : 0.0; }
+  /// @param v       velocities [m/s]
+  /// @param shared  receives what they share, as long as v; zero where it is unknown [m/s]
+  void common_motion(const Eigen::VectorXd& v, Eigen::VectorXd& shared) const {
+    shared.resize(v.size());
+    can_->common_motion ? can_->common_motion(self_, v, shared) : void(shared.setZero());
+  }
   /// @param size  of y @return the ranges that it falls into: the problem's, or one
   /// @throws std::invalid_argument if the problem's do not make up y one after the other
   std::vector<Range> ranges(Eigen::Index size) const;
