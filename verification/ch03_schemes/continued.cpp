@@ -3,6 +3,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include <fmt/format.h>
@@ -58,15 +59,17 @@ Outcome sum(const Outcome& one, const Outcome& other) {
   return both;
 }
 
-// The original goes on after the checkpoint was taken, the checkpoint after it: neither may see the other.
+// The original goes on after the checkpoint was taken, the checkpoint after it: neither may see the other. A scheme
+// whose kept rates would be wrong if the problem had changed asks for them again.
 template <class S, class C>
 void compare_continued(Rows& rows, const std::string& which, const Problem& problem, const State& start, double t_end,
                        const S& scheme, const C& control) {
+  const long asked_again = std::is_same_v<S, VelocityVerlet> ? 1 : 0;
   Checkpoint<S, C> whole{.state = start, .scheme = scheme, .control = control};
   Checkpoint<S, C> parts = whole;
   whole.go_on(problem, t_end);
   parts.go_on(problem, t_end, whole.outcome.steps / 2);
-  const Outcome first_half = parts.outcome;
+  Outcome first_half = parts.outcome;
   Checkpoint<S, C> copy = parts;
   parts.go_on(problem, t_end);
   copy.go_on(problem, t_end);
@@ -76,6 +79,7 @@ void compare_continued(Rows& rows, const std::string& which, const Problem& prob
                 static_cast<long>(whole.control.dt() != parts.control.dt()) +
                 static_cast<long>(whole.control.dt() != copy.control.dt()),
             "scheme, controller and state are all that a run remembers");
+  first_half.evaluations -= asked_again;
   rows.equal("steps, refusals, sweeps, right-hand sides, " + which,
              {.expected = counts(whole.outcome),
               .computed = counts(sum(first_half, parts.outcome)),

@@ -55,7 +55,7 @@ AnyCollocation::AnyCollocation(const CollocationTable& table, int order, Colloca
 }
 
 bool AnyCollocation::predict(const Problem& problem, const State& from, double dt, State& to) {
-  begin(problem, from);
+  begin_step(problem, from);
   if (!guess(problem, from, dt)) return false;
   advance_time(from, dt, to);
   to.y = from.y;
@@ -139,15 +139,25 @@ void AnyCollocation::accept(double dt) {
   refused_at_ = std::numeric_limits<double>::quiet_NaN();
 }
 
+void AnyCollocation::begin(const Problem& problem, const State& state) {
+  if (problem.identity() != of_ || !continues(state)) {
+    forget();
+  } else if (is_newton()) {
+    solver_.newton.renew(problem);
+  }
+  of_ = problem.identity();
+}
+
 void AnyCollocation::forget() {
   accepted_ = has_old_ = false;
+  refused_at_ = std::numeric_limits<double>::quiet_NaN();
   end_.t = std::numeric_limits<double>::quiet_NaN();
   solver_.newton.forget();
 }
 
 void AnyCollocation::at(const State& from, double dt, double theta, State& there) const {
   const StageWeights once = table_->once(theta);
-  there.t = from.t + theta * dt;
+  advance_time(from, theta * dt, there);
   there.r = from.r + (theta * dt) * from.v;
   there.v = from.v;
   there.y = from.y;
@@ -166,7 +176,7 @@ void AnyCollocation::Carry::clear(const State& of) {
   y.setZero(of.y.size());
 }
 
-void AnyCollocation::begin(const Problem& problem, const State& from) {
+void AnyCollocation::begin_step(const Problem& problem, const State& from) {
   const Traits& has = problem.traits();
   n_ = from.r.size();
   m_ = has.values ? from.y.size() : 0;

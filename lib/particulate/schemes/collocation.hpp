@@ -60,6 +60,15 @@ class AnyCollocation {
   /// @param of  what a problem has @return whether it has motion or values
   static constexpr bool advances(const Traits& of) { return of.motion || of.values; }
 
+  /// Begins a run: goes on from the last one where that ended, else anew.
+  ///
+  /// What is kept cannot spoil a step whose sweeps converge, even if the problem was changed in between: the polynomial
+  /// is but a guess, and Newton's Jacobian is taken once more where it was taken.
+  ///
+  /// @param problem  whose history alone is kept
+  /// @param state    the start
+  void begin(const Problem& problem, const State& state);
+
   /// The guess: rates at the nodes, and the state at the end that they make.
   ///
   /// @param problem  the right-hand side; asked for the start's where there is no polynomial to extrapolate, and for
@@ -125,7 +134,7 @@ class AnyCollocation {
   bool is_newton() const { return solver_.how == StageSolver::How::newton; }
   Eigen::Index S() const { return table_->stages(); }
   bool prepare_newton(const Problem& problem, const State& from, double dt, const State& to);
-  void begin(const Problem& problem, const State& from);
+  void begin_step(const Problem& problem, const State& from);
   bool continues(const State& from) const;
   bool guess(const Problem& problem, const State& from, double dt);
   bool rates_at_start(const Problem& problem, const State& from);
@@ -163,6 +172,7 @@ class AnyCollocation {
   State end_{.t = std::numeric_limits<double>::quiet_NaN()};  // of the step accepted last
   State new_end_;                                             // of the step made last
   double old_dt_ = 0.0, rate_ = 0.0;
+  Problem::Identity of_{};  // whose history this is
   double refused_at_ = std::numeric_limits<double>::quiet_NaN();
   bool accepted_ = false, has_old_ = false, bootstraps_ = false, retried_ = false, needs_speed_ = false;
 };
@@ -197,7 +207,7 @@ class AnyCollocation {
 /// section IV.8.
 ///
 /// A scheme is a value: its copy is a checkpoint. What it remembers holds only where the next step starts exactly at
-/// the end of the last; elsewhere, and after forget(), it begins anew.
+/// the end of the last, with the same problem; elsewhere, and after forget(), it begins anew.
 ///
 /// @tparam Nodes   Gauss or Radau
 /// @tparam Solver  Sequential, Picard (all stages at once), Anderson, Newton<DenseStages> or Newton<SparseStages>

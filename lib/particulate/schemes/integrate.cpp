@@ -127,12 +127,13 @@ class Run {
     if (locates_ && !task_.scheme_can.at) {
       throw std::invalid_argument(
           "run: events and located jumps need a scheme with dense output, at(from, dt, theta, "
-          "there); this one has none: take Collocation");
+          "there); this one has none");
     }
   }
 
   Outcome go() {
     bool goes_on = true;
+    task_.scheme_can.begin(task_.scheme, problem_, state_);
     while (goes_on && state_.t < task_.t_end) goes_on = step();
     out_.t = state_.t;
     return out_;

@@ -114,9 +114,15 @@ Derivatives<Eigen::MatrixXd> whole(const Problem& problem, const State& from) {
   return by;
 }
 
+// Below which increments are absolute.
+struct Increments {
+  const Eigen::VectorXd& sizes;  // of the unknowns (r, y)
+  double speed;                  // of velocities
+};
+
 // The band, if there is one, is that of places or of values alone.
 template <class Matrix>
-bool by_differences(const Problem& problem, const State& from, const StageEquations& step, Derivatives<Matrix>& by) {
+bool by_differences(const Problem& problem, const State& from, const Increments& step, Derivatives<Matrix>& by) {
   const Eigen::VectorXd& sizes = step.sizes;
   const Traits& has = problem.traits();
   RatesBy rates(problem, from);
@@ -130,7 +136,7 @@ bool by_differences(const Problem& problem, const State& from, const StageEquati
 }
 
 // Of motion and values that act on each other.
-bool by_all_differences(const Problem& problem, const State& from, const StageEquations& step,
+bool by_all_differences(const Problem& problem, const State& from, const Increments& step,
                         Derivatives<Eigen::MatrixXd>& by) {
   const Eigen::Index n = from.r.size(), m = from.y.size();
   RatesBy rates(problem, from);
@@ -150,7 +156,7 @@ bool by_all_differences(const Problem& problem, const State& from, const StageEq
 }
 
 std::optional<Derivatives<Eigen::MatrixXd>> dense_derivatives(const Problem& problem, const State& from,
-                                                              const StageEquations& step) {
+                                                              const Increments& step) {
   Derivatives<Eigen::MatrixXd> by;
   if (problem.has_whole_jacobian()) {
     by = whole(problem, from);
@@ -166,7 +172,7 @@ std::optional<Derivatives<Eigen::MatrixXd>> dense_derivatives(const Problem& pro
 }
 
 std::optional<Derivatives<SparseJacobian>> sparse_derivatives(const Problem& problem, const State& from,
-                                                              const StageEquations& step) {
+                                                              const Increments& step) {
   Derivatives<SparseJacobian> by;
   if (problem.traits().motion && problem.traits().values) {
     throw std::invalid_argument(
@@ -223,7 +229,6 @@ bool difference_jacobian(const RatesOf& rates, const Eigen::VectorXd& x, const E
 
 struct NewtonSteps::Jacobians {
   std::variant<Derivatives<Eigen::MatrixXd>, Derivatives<SparseJacobian>> by;
-  Eigen::Index size;  // of the unknowns that they belong to
 };
 
 struct NewtonSteps::Factors {
@@ -244,18 +249,29 @@ struct NewtonSteps::Factors {
   }
 };
 
+// At known_at_.
+bool NewtonSteps::take(const Problem& problem) {
+  const auto keep = [&](auto by) {
+    if (by) jacobians_ = std::make_shared<Jacobians>(Jacobians{std::move(*by)});
+  };
+  jacobians_.reset();
+  factorized_ = 0.0;
+  const Increments by{sizes_, speed_};
+  sparse_ ? keep(sparse_derivatives(problem, known_at_, by)) : keep(dense_derivatives(problem, known_at_, by));
+  return jacobians_ != nullptr;
+}
+
+void NewtonSteps::renew(const Problem& problem) {
+  if (jacobians_) take(problem);
+}
+
 bool NewtonSteps::prepare(const Problem& problem, const State& from, double dt, const StageEquations& step) {
   if (!eigenvalues_) eigenvalues_ = std::make_shared<StageEigenvalues>(step.A);
-  const Eigen::Index size = step.sizes.size();
-  if (!jacobians_ || jacobians_->size != size || (step.bad && known_at_ != from.t)) {
-    jacobians_.reset();
-    const auto keep = [&](auto by) {
-      if (by) jacobians_ = std::make_shared<Jacobians>(Jacobians{std::move(*by), size});
-    };
-    sparse_ ? keep(sparse_derivatives(problem, from, step)) : keep(dense_derivatives(problem, from, step));
-    if (!jacobians_) return false;
-    known_at_ = from.t;
-    factorized_ = 0.0;
+  if (!jacobians_ || sizes_.size() != step.sizes.size() || (step.bad && known_at_.t != from.t)) {
+    known_at_ = from;
+    sizes_ = step.sizes;
+    speed_ = step.speed;
+    if (!take(problem)) return false;
   }
   if (dt == factorized_) return true;
   const auto factors = std::make_shared<Factors>();

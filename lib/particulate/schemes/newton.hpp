@@ -85,6 +85,11 @@ class NewtonSteps {
   ///         there is one
   Eigen::VectorXd filtered(const Eigen::VectorXd& defect, double dt) const;
 
+  /// Takes the Jacobian in hand once more where it was taken: a problem that was changed in between gives another.
+  ///
+  /// @param problem  asked for it
+  void renew(const Problem& problem);
+
   /// Drops everything.
   void forget() { jacobians_.reset(); }
 
@@ -92,11 +97,15 @@ class NewtonSteps {
   struct Jacobians;
   struct Factors;
 
+  bool take(const Problem& problem);
+
   bool sparse_;
   std::shared_ptr<const StageEigenvalues> eigenvalues_;
   std::shared_ptr<const Jacobians> jacobians_;  // none: unknown
   std::shared_ptr<const Factors> factors_;
-  double known_at_ = 0.0, factorized_ = 0.0;
+  State known_at_;
+  Eigen::VectorXd sizes_;
+  double speed_ = 0.0, factorized_ = 0.0;
 };
 
 }  // namespace particulate::schemes

@@ -67,6 +67,19 @@ Iteration PhiFamily<Mixing>::sweep(const Problem& problem, const State& from, do
   return measures_.worst();
 }
 
+// The cubic through places and velocities of both ends; the parabola through what else is known.
+template <class Mixing>
+void PhiFamily<Mixing>::at(const State& from, double dt, double theta, State& there) const {
+  const double square = theta * theta;
+  const Rates& start = phi_ < 1.0 ? start_ : mean_;
+  advance_time(from, theta * dt, there);
+  there.r =
+      from.r + (theta * dt) * from.v + (dt * dt * square * (3.0 * phi_ - 1.0 + (1.0 - 2.0 * phi_) * theta)) * mean_.a;
+  there.v = from.v + dt * ((theta - square) * start.a + square * mean_.a);
+  there.y = from.y;
+  if (values_) there.y += dt * ((theta - square) * start.dy + square * mean_.dy);
+}
+
 template <class Mixing>
 void PhiFamily<Mixing>::measure_motion(const Problem& problem, const State& from, double dt, const State& to) {
   IterationMeasure& measure = measures_.motion();

@@ -70,6 +70,15 @@ class PhiFamily {
   /// @return the iteration so far, of the worst part of the state
   Iteration sweep(const Problem& problem, const State& from, double dt, State& to);
 
+  /// Dense output of the order of the scheme: of places the cubic Hermite through both ends, of velocities and values
+  /// the parabola through both ends and the rate at the start; for phi = 1, which does not know that, the line.
+  ///
+  /// @param from   state at the start of the step made last
+  /// @param dt     that step [s]
+  /// @param theta  in units of the step; 0 its start, 1 its end [-]
+  /// @param there  receives the state
+  void at(const State& from, double dt, double theta, State& there) const;
+
   /// @return how the iteration of each part of the state went; empty where there is one part alone
   std::span<const Iteration> iterations() const { return measures_.iterations(); }
 

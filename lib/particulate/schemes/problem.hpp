@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -449,6 +450,11 @@ class Problem {
     return same;
   }
 
+  /// Which problem it is: the object's address, and its type's.
+  using Identity = std::pair<const void*, const void*>;
+  /// @return whose; one that was changed in place stays the same
+  Identity identity() const { return {self_, can_}; }
+
   /// @return what it has
   const Traits& traits() const { return can_->traits; }
 
@@ -468,7 +474,7 @@ class Problem {
   /// @return whether the problem has a value there
   bool rates(double t, const Eigen::VectorXd& r, const Eigen::VectorXd& v, const Eigen::VectorXd& y, Rates& to) const {
     to.a.resize(r.size());
-    if (can_->traits.values) to.dy.resize(y.size());
+    to.dy.resize(can_->traits.values ? y.size() : 0);
     return rates(Where{t, {r.data(), r.size()}, {v.data(), v.size()}, {y.data(), y.size()}},
                  Answers{{to.a.data(), to.a.size()}, {to.dy.data(), to.dy.size()}});
   }

@@ -30,6 +30,19 @@ struct RungeKutta4 {
   /// @param to       receives the state at its end
   /// @return whether the problem had a value at all four stages
   bool predict(const Problem& problem, const State& from, double dt, State& to);
+  /// Dense output of order 3 from the stages of the step made last, without a further right-hand side.
+  ///
+  /// \f[ y(\theta) = y^L + \Delta t \sum_i b_i(\theta)\, k_i, \qquad b_1 = \theta - \tfrac32 \theta^2 +
+  ///     \tfrac23 \theta^3, \quad b_2 = b_3 = \theta^2 - \tfrac23 \theta^3, \quad
+  ///     b_4 = -\tfrac12 \theta^2 + \tfrac23 \theta^3 \f]
+  ///
+  /// Source: @cite hairer1993, section II.6.
+  ///
+  /// @param from   state at the start of that step
+  /// @param dt     that step [s]
+  /// @param theta  in units of the step; 0 its start, 1 its end [-]
+  /// @param there  receives the state
+  void at(const State& from, double dt, double theta, State& there) const;
   void accept(double) {}  ///< Keeps nothing: a one-step method.
   void forget() {}        ///< Has nothing to forget.
 

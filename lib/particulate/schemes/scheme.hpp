@@ -36,8 +36,8 @@ struct Iteration {
 ///
 /// `predict(problem, from, dt, to)` gives the first guess of the step, which is an explicit scheme's answer, and
 /// returns whether the problem had a value; `accept(dt)` keeps the step's history for the next one; `forget()` drops
-/// it, because the state was changed from outside. `advances(traits)`, a constant function, says whether the scheme can
-/// advance all that a problem has; values that change by jumps alone are carried along for it.
+/// it, because the state was changed from outside or another run begins. `advances(traits)`, a constant function, says
+/// whether the scheme can advance all that a problem has; values that change by jumps alone are carried along for it.
 template <class S>
 concept Scheme = std::copyable<S> && requires(S& s, const Problem& p, const State& from, double dt, State& to) {
   { S::order } -> std::convertible_to<int>;
@@ -63,6 +63,14 @@ concept Iterative = Scheme<S> && requires(S& s, const Problem& p, const State& f
 template <class S>
 concept Dense = requires(const S& s, const State& from, double dt, double theta, State& there) {
   s.at(from, dt, theta, there);
+};
+
+/// Ability of a scheme: `begin(problem, state)`, told at the start of every run in place of forget(), so that a run in
+/// two parts repeats one run to the last bit. History may be kept only where the run goes on exactly where the last
+/// step ended, with the same problem (Problem::identity), and where it is still right if that was changed in between.
+template <class S>
+concept Begins = requires(S& s, const Problem& p, const State& at) {
+  s.begin(p, at);
 };
 
 /// Ability of a scheme: how many of a problem's time scales one of its steps may span, `spans(kind, sweeps)`: 1/omega

@@ -31,17 +31,31 @@ struct VelocityVerlet {
   /// @param to       receives the state at its end
   /// @return whether the problem had a value at both ends
   bool predict(const Problem& problem, const State& from, double dt, State& to);
-  /// Keeps the acceleration at the end of the step, with the time and place where it holds.
-  void accept(double);
-  /// Drops the kept acceleration: for a caller that has changed the problem itself.
-  void forget() { kept_ = false; }
+  /// Dense output of order 2: cubic Hermite, of places from velocities, of velocities from accelerations.
+  ///
+  /// \f[ r(\theta) = r^L + \theta\,\Delta t\,v^L + \tfrac12 \theta^2 \Delta t^2 \left(a^L + (\theta - 1)(a^{L+1} -
+  ///     a^L)\right), \qquad v(\theta) = v^L + \theta\,\Delta t\,a^L + \tfrac12 \theta^2 \Delta t\,(a^{L+1} - a^L) \f]
+  ///
+  /// @param from   state at the start of the step made last
+  /// @param dt     that step [s]
+  /// @param theta  in units of the step; 0 its start, 1 its end [-]
+  /// @param there  receives the state
+  void at(const State& from, double dt, double theta, State& there) const;
+
+  void accept(double) {}  ///< Keeps what it has: it knows where its accelerations hold.
+  /// Drops the kept accelerations: for a caller that has changed the problem itself.
+  void forget() { start_.at.t = end_.at.t = std::numeric_limits<double>::quiet_NaN(); }
 
  private:
-  bool continues(const State& from) const;
+  // Accelerations, and where they hold; velocities do not count.
+  struct Kept {
+    Rates rates;
+    State at{.t = std::numeric_limits<double>::quiet_NaN()};
+    bool holds_at(const State& state) const;
+    bool renew(const Problem& problem, const State& state, const Eigen::VectorXd& v);
+  };
 
-  Rates start_, end_;
-  State kept_at_, end_at_;  // where they hold; velocities do not count
-  bool kept_ = false;
+  Kept start_, end_;  // of the step made last
 };
 
 }  // namespace particulate::schemes
