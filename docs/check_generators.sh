@@ -93,6 +93,10 @@ refuses 2 'no @equation' equations lib/bad.hpp
 printf 'load style\nset output "ch01_line.svg"\nplot data."/line.csv" using 1:2 with lines title "line"\n' >line.gp
 mkdir -p data
 printf 'x,y\n1,2\n2,3\n' >data/line.csv
+refuses 1 'has no stamp' "$docs/draw.sh" line.gp "$work/figures" "data=$work/data"
+echo '{}' >data/stamp.json && touch data/unfinished.txt
+refuses 1 'has no stamp' "$docs/draw.sh" line.gp "$work/figures" "data=$work/data"
+rm data/unfinished.txt
 "$docs/draw.sh" line.gp "$work/figures" "data=$work/data"
 holds figures/ch01_line.svg 'prefers-color-scheme:dark' '</svg>'
 lacks figures/ch01_line.svg 'fill="#ffffff"'
@@ -112,7 +116,10 @@ echo 'alpha1 = 0.5' >run/parameters.toml
 holds tables/ch01_short.html 'a, &quot;b&quot; &lt;c&gt;' '&#64;d' '<td class="number">0.3</td>' '<th class="number">value [m]</th>'
 holds tables/ch01_parameters.toml 'alpha1 = 0.5'
 [ ! -e tables/ch01_long.html ] || complain 'a table of 101 rows is a curve and must not become a page'
-refuses 1 'guide:' "$guide" tables nosuch ch01 tables
+refuses 2 'guide:' "$guide" tables nosuch ch01 tables
+touch run/unfinished.txt
+refuses 2 'a run that ended' "$guide" tables run ch01 tables
+rm run/unfinished.txt
 
 # --- guide: pages ----------------------------------------------------------------------------------------------------
 head='chapter,case,claim,equation,reference,quantity,expected,computed,error,metric,tolerance,because,verdict,run,seconds'
@@ -131,6 +138,7 @@ ch01,pair,RK4,0.01,no,1e-7,1e-7,1e-15,closed form,1e-4,2e-4,1e-5,1000,0,solved
 ch01,pair,CVODE Adams,1e-3,no,,,1e-15,closed form,,,,77,0,failed: too much work
 ch01,pair,CVODE Adams,1e-14,no,5e-15,5e-15,1e-15,closed form,1e-3,1e-3,1e-4,5000,9,at floor
 H
+refuses 2 'a run that ended' "$guide" pages pages work ch01_fundamentals=run
 echo '{"revision": "abc", "seed": 7}' >run/stamp.json
 "$guide" pages pages work ch01_fundamentals=run
 holds pages/verify_ch01.md '# Chapter 1: Fundamentals, verified {#verify_ch01}' '<td class="number">2</td><td>1 closed form, 1 convergence</td>' \
@@ -146,13 +154,13 @@ holds figures/ch01_work_pair_evaluations.svg 'RK4, order 4.02' 'failed'
 holds figures/ch01_work_pair_seconds.svg '</svg>'
 
 spoil() { cp run/rows.csv rows.kept && "$@" && "$guide" pages pages work ch01_fundamentals=run; }
-refuses 1 'no column named verdict' spoil sed -i 's/verdict,run/opinion,run/' run/rows.csv
+refuses 2 'no column named verdict' spoil sed -i 's/verdict,run/opinion,run/' run/rows.csv
 mv rows.kept run/rows.csv
-refuses 1 'nothing was verified' spoil sed -i 2,99d run/rows.csv
+refuses 2 'nothing was verified' spoil sed -i 2,99d run/rows.csv
 mv rows.kept run/rows.csv
-refuses 1 'rows.csv' spoil sed -i 's/,quick,/,/' run/rows.csv
+refuses 2 'rows.csv' spoil sed -i 's/,quick,/,/' run/rows.csv
 mv rows.kept run/rows.csv
-refuses 1 'a chapter is given as chNN_slug=folder, got nonsense' "$guide" pages pages work nonsense
+refuses 2 'a chapter is given as chNN_slug=folder, got nonsense' "$guide" pages pages work nonsense
 refuses 2 'usage' "$guide" nonsense
 
 [ "$wrong" = 0 ] && echo 'every generator does what it should, and refuses what it should'

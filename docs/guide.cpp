@@ -10,7 +10,6 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
-#include <exception>
 #include <filesystem>
 #include <iterator>
 #include <limits>
@@ -25,7 +24,8 @@
 
 #include <nlohmann/json.hpp>
 #include <particulate/report/files.hpp>
-#include <particulate/report/table.hpp>
+#include <particulate/report/guarded.hpp>
+#include <particulate/report/output.hpp>
 
 namespace {
 
@@ -149,6 +149,8 @@ std::string equation_link(const std::string& equation) {
 constexpr std::size_t longest_table = 100;
 
 void write_tables(const fs::path& data, const std::string& prefix, const fs::path& out) {
+  // The table of planted defects is no run's, and has no stamp.
+  if (fs::exists(data / "unfinished.txt")) report::require_finished(data);
   for (const fs::directory_entry& entry : fs::directory_iterator(data)) {
     if (entry.path().extension() != ".csv") continue;
     const Csv csv(entry.path());
@@ -579,6 +581,7 @@ std::string work_section(const Chapter& chapter, const Csv& rows, const fs::path
 // --- The guide's pages -----------------------------------------------------------------------------------------------
 
 Counts write_chapter_page(const Chapter& chapter, const fs::path& out, const fs::path& figures) {
+  report::require_finished(chapter.data);
   const Csv rows(chapter.data / "rows.csv");
   std::optional<Csv> extremes;
   if (fs::exists(chapter.data / "stability.csv")) extremes.emplace(chapter.data / "stability.csv");
@@ -678,10 +681,5 @@ int run(const Strings& arguments) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
-    return run(Strings(argv + 1, argv + argc));
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "guide: {}\n", error.what());
-    return 1;
-  }
+  return report::guarded("guide", [&] { return run(Strings(argv + 1, argv + argc)); });
 }

@@ -354,7 +354,7 @@ void run(const Parameters& p, report::Chapter& chapter) {
     const scenes::Scene scene{start, kinematics::Space{}, contact::Contact<>{.gamma = p.gamma, .resolution = how}};
     schemes::State state = scenes::start(scene);
     while (rounds-- > 0 && scene.jump(state, p.step).impacts > 0) continue;
-    return kinematics::Vectors(state.v.reshaped(start.size(), 3));
+    return kinematics::Vectors(velocities(state));
   };
   report::Table several(
       {"hit", "sphere", "before [m/s]", "summed, once [m/s]", "summed, repeated [m/s]", "sequential [m/s]"});
@@ -411,7 +411,7 @@ void run(const Parameters& p, report::Chapter& chapter) {
     schemes::VelocityVerlet verlet;
     schemes::FixedStep control{.step = 0.15 * std::pow(0.25, quarters)};
     const schemes::Outcome outcome = schemes::integrate(meeting, state, 3.0, verlet, control);
-    const double error = std::abs(state.r[1] - state.r[0] - (1.0 + 2.0 * p.e));
+    const double error = std::abs(position(state, 1).x() - position(state, 0).x() - (1.0 + 2.0 * p.e));
     const double order = std::log(last / error) / std::log(4.0);
     stepped.add({control.step, outcome.overlap, error, quarters == 0 ? report::Cell() : report::Cell(order)});
     if (quarters > 0) off_order = std::max(off_order, std::abs(order - 1.0));
@@ -451,13 +451,12 @@ void run(const Parameters& p, report::Chapter& chapter) {
   const double potential_before = without_contact.potential_energy(state);
   for (int k = 0; k <= 150; ++k) {
     const schemes::Outcome outcome = schemes::integrate(scene, state, k * p.duration / 150.0, verlet, control);
-    if (outcome.status != schemes::Status::reached) throw std::runtime_error(outcome.reason);
+    if (outcome.status != schemes::Status::reached) throw std::runtime_error(describe(outcome));
     dissipated -= outcome.energy_change;
     restored = std::max(restored, outcome.energy_change);
     overlap = std::max(overlap, outcome.overlap);
     impacts += outcome.impacts;
-    const kinematics::KineticEnergy kinetic =
-        kinematics::split_kinetic_energy(cloud.mass, state.v.reshaped(cloud.size(), 3));
+    const kinematics::KineticEnergy kinetic = kinematics::split_kinetic_energy(cloud.mass, velocities(state));
     const double potential = without_contact.potential_energy(state) - potential_before;
     const double total = total_mass * (kinetic.bulk + kinetic.relative) + potential + dissipated;
     if (k == 0) total_before = total;
@@ -476,7 +475,7 @@ void run(const Parameters& p, report::Chapter& chapter) {
   summary.add({"energy that impacts took [J]", dissipated});
   summary.add({"largest error of the books [J]", drift});
   output.write("summary", summary);
-  const Eigen::Vector3d momentum = kinematics::linear_momentum(cloud.mass, state.v.reshaped(cloud.size(), 3)) -
+  const Eigen::Vector3d momentum = kinematics::linear_momentum(cloud.mass, velocities(state)) -
                                    kinematics::linear_momentum(cloud.mass, cloud.velocity);
   checks.add("the cloud's momentum stays [kg m/s]", momentum.norm(), 1e-10);
   const double stiffness = kinematics::normal_stiffness(pair_law(near_field, 1.0, 1.0), 2.0 * cloud.radius[0]);

@@ -20,7 +20,7 @@
 #include <particulate/kinematics/breathing.hpp>
 #include <particulate/report/checks.hpp>
 #include <particulate/report/command_line.hpp>
-#include <particulate/report/table.hpp>
+#include <particulate/report/output.hpp>
 #include <particulate/schemes/coupled_pair.hpp>
 #include <particulate/schemes/integrate.hpp>
 #include <particulate/schemes/phi_control.hpp>

@@ -43,7 +43,7 @@ struct Checkpoint {
   void go_on(const Problem& problem, double t_end, long steps = -1) {
     const auto watch = [&steps](const State&, const State&, double, const S&) { return --steps != 0; };
     outcome = integrate(problem, state, t_end, scheme, control, watch);
-    if (outcome.status == Status::failed) throw std::runtime_error(outcome.reason);
+    if (outcome.status == Status::failed) throw std::runtime_error(describe(outcome));
   }
 };
 

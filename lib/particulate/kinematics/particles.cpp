@@ -1,5 +1,6 @@
 #include <particulate/kinematics/particles.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -51,6 +52,32 @@ void validate(const Particles& particles) {
           fmt::format("particles: radii must be finite and not negative, got {} m for particle {}", b, i));
     }
   }
+}
+
+Particles particles(const std::vector<Particle>& list) {
+  const auto N = static_cast<Eigen::Index>(list.size());
+  Particles all{
+      .position = Vectors(N, 3), .velocity = Vectors(N, 3), .mass = Eigen::VectorXd(N), .radius = Eigen::VectorXd(N)};
+  const bool all_move = std::none_of(list.begin(), list.end(), [](const Particle& one) { return one.immovable; });
+  if (!all_move) all.immovable.resize(list.size());
+  for (Eigen::Index i = 0; i < N; ++i) {
+    const auto& [position, velocity, mass, radius, immovable] = list[static_cast<std::size_t>(i)];
+    const char* const missing = position.array().isNaN().any() ? "position"
+                                : std::isnan(mass)             ? "mass"
+                                : std::isnan(radius)           ? "radius"
+                                                               : nullptr;
+    if (missing != nullptr) {
+      throw std::invalid_argument(fmt::format(
+          "particles: each must be given a position, a mass and a radius, and particle {} has no {}", i, missing));
+    }
+    set_vector(all.position, i, position);
+    set_vector(all.velocity, i, velocity);
+    all.mass[i] = mass;
+    all.radius[i] = radius;
+    if (immovable) all.immovable[static_cast<std::size_t>(i)] = true;
+  }
+  validate(all);
+  return all;
 }
 
 Eigen::VectorXd inverse_masses(const Particles& particles) {

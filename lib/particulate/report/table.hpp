@@ -1,7 +1,6 @@
 #pragma once
 
 #include <concepts>
-#include <filesystem>
 #include <initializer_list>
 #include <string>
 #include <string_view>
@@ -90,25 +89,5 @@ class Table {
 /// a
 ///         line has more or fewer fields than the header
 std::vector<std::vector<std::string>> parse_csv(std::string_view content, const std::string& origin);
-
-/// The folder that a run writes its results to.
-class Output {
- public:
-  /// @param folder  made if it does not exist, and tried
-  /// @throws std::runtime_error if no file can be written there
-  explicit Output(std::filesystem::path folder);
-
-  /// Writes a table as `<folder>/<name>.csv`, whole.
-  /// @param name   file name without its ending: lower-case letters, digits, underscores
-  /// @param table  what to write
-  /// @throws std::invalid_argument for another kind of name, std::runtime_error if the file cannot be written
-  void write(const std::string& name, const Table& table) const;
-
-  /// @return the folder
-  const std::filesystem::path& folder() const { return folder_; }
-
- private:
-  std::filesystem::path folder_;
-};
 
 }  // namespace particulate::report
