@@ -424,7 +424,10 @@ void run(const Parameters& p, report::Chapter& chapter) {
   //!
   //! Every run reports its largest overlap, so nobody needs to guess whether the step was small enough. The impulse
   //! needs \f$ \Delta_1 \f$ over \f$ \gamma\,\Delta t \f$ only, a correction that fades with the step, so results
-  //! hardly depend on \f$ \gamma \f$ (@ref verify_ch02_gamma_insensitive "measured").
+  //! hardly depend on \f$ \gamma \f$ (@ref verify_ch02_gamma_insensitive "measured"). But they add up where a ball
+  //! bounces or rests for long: the step that follows applies the same forces again. So the library's own default is
+  //! \f$ \gamma = 0 \f$, under which an elastic ball keeps its height and what rests is held
+  //! (@ref verify_ch02_rest_and_elastic_bounces "measured" too).
   //!
   //! @section ch02_cloud 7. A colliding cloud and its books
   //!
@@ -494,7 +497,7 @@ void run(const Parameters& p, report::Chapter& chapter) {
 //! motion is left alone, because every force in the scene comes in pairs. At last the spheres lie on each other in a
 //! clump, and impacts grow by orders of magnitude, although hardly any energy is left to take: a contact at rest is
 //! an impact in every step, which undoes what the near field did in that step. Velocities stay right that way;
-//! positions sink by a little in each step, and the overlap keeps count.
+//! positions sink by a little in each step, and the overlap keeps count. With \f$ \gamma = 0 \f$ they would be held.
 
 int main(int argc, char** argv) {
   using namespace particulate;

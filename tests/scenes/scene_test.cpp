@@ -9,6 +9,7 @@
 #include <particulate/laws/near_field.hpp>
 #include <particulate/schemes/fixed_step.hpp>
 #include <particulate/schemes/integrate.hpp>
+#include <particulate/schemes/runge_kutta.hpp>
 #include <particulate/schemes/verlet.hpp>
 
 #include "close.hpp"
@@ -368,7 +369,7 @@ BOOST_AUTO_TEST_SUITE(jump_)
 BOOST_AUTO_TEST_CASE(checks_its_law) {
   CHECK_REFUSED(Scene(two_particles(), Space{}, Contact{.restitution = ConstantRestitution{-0.5}}),
                 "e must lie in [0, 1], got -0.5");
-  CHECK_REFUSED(Scene(two_particles(), Space{}, Contact{.gamma = 2.0}), "gamma must lie between 0 and 1, got 2");
+  CHECK_REFUSED(Scene(two_particles(), Space{}, Contact{.gamma = 2.0}), "gamma must lie in [0, 1), got 2");
 }
 
 // The normal part of (1, 0, -2) turns at e = 0.5; a position does not change.
@@ -579,6 +580,81 @@ BOOST_AUTO_TEST_CASE(gains_no_energy_in_a_resting_contact) {
     BOOST_TEST(approach == (1.0 - gamma) * g * dt / (1.0 + e), tolerance(1e-9));
     BOOST_TEST(last_sink == 0.5 * g * dt * dt * (1.0 - e - 2.0 * gamma) / (1.0 + e), tolerance(1e-8));
   }
+}
+
+// Falls by g Dt^2/2 in the first step, and stays there.
+BOOST_AUTO_TEST_CASE(holds_what_rests) {
+  const double g = 9.81, dt = 1e-3;
+  for (const double e : {0.0, 0.5, 1.0}) {
+    const Scene scene(ball(0.5, {0.0, 0.0, 0.0}), floor_at_zero, Gravity{{0.0, 0.0, -g}},
+                      Contact{.restitution = ConstantRestitution{e}});
+    State state = start(scene);
+    const Outcome outcome = run(scene, state, 1.0, RungeKutta4(), FixedStep{.step = dt});
+    BOOST_TEST((outcome.status == Status::reached));
+    BOOST_TEST(0.5 - state.r[2] == 0.5 * g * dt * dt, tolerance(1e-7));
+    BOOST_TEST(state.v[2] == 0.5 * g * dt, tolerance(1e-7));
+    BOOST_TEST(std::abs(outcome.energy_change) < 1e-4);  // the fall of the first step, 1e-3 m/s
+  }
+}
+
+// Between balls of one weight the forces make no approach: those below carry all of it.
+BOOST_AUTO_TEST_CASE(holds_a_stack_and_what_a_changed_step_pressed_in) {
+  Particles balls{.position = Vectors::Zero(5, 3),
+                  .velocity = Vectors::Zero(5, 3),
+                  .mass = Eigen::VectorXd::LinSpaced(5, 1.0, 3.0),
+                  .radius = Eigen::VectorXd::Constant(5, 0.5)};
+  for (Eigen::Index k = 0; k < 5; ++k) balls.position(k, 2) = 0.5 + static_cast<double>(k);
+  for (const double e : {0.0, 0.5, 0.9}) {
+    const Scene scene(balls, floor_at_zero, Gravity{}, Contact{.restitution = ConstantRestitution{e}});
+    State state = start(scene);
+    BOOST_TEST((run(scene, state, 0.2, VelocityVerlet(), FixedStep{.step = 1e-3}).status == Status::reached));
+    const Eigen::VectorXd before = state.r;
+    BOOST_TEST((run(scene, state, 1.0, VelocityVerlet(), FixedStep{.step = 1e-3}).status == Status::reached));
+    BOOST_TEST(close(state.r, before, {.absolute = 1e-13}));
+    for (const double dt : {2e-3, 1e-3, 5e-4, 3e-3}) {
+      BOOST_TEST((run(scene, state, state.t + 1.0, VelocityVerlet(), FixedStep{.step = dt}).status == Status::reached));
+    }
+    BOOST_TEST(state.r[10] > 0.5 - 2.0 * 9.81 * 9e-6);
+    BOOST_TEST(state.r[14] < 4.5);
+  }
+}
+
+// On a slope of tan = 3/4: mu_s g cos >= g sin holds; with mu_d = 0.5 it slides at g (0.6 - 0.5 0.8).
+BOOST_AUTO_TEST_CASE(lets_a_ball_stick_to_a_slope_or_slide_down_it) {
+  const Space slope{{Wall{.point = {0.0, 0.0, 0.0}, .normal = {0.6, 0.0, 0.8}}}};
+  Particles resting = ball(0.4, {0.0, 0.0, 0.0});
+  resting.position(0, 0) = 0.3;
+  for (const double e : {0.0, 0.5}) {
+    for (const double mu_s : {0.7501, 0.7499}) {
+      const Contact law{.restitution = ConstantRestitution{e}, .friction = Friction{.mu_s = mu_s, .mu_d = 0.5}};
+      const Scene scene(resting, slope, Gravity{}, law);
+      State state = start(scene);
+      BOOST_TEST((run(scene, state, 1.0, VelocityVerlet(), FixedStep{.step = 1e-3}).status == Status::reached));
+      const double moved = 0.8 * (state.r[0] - 0.3) - 0.6 * (state.r[2] - 0.4);
+      if (mu_s > 0.75) {
+        BOOST_TEST(std::abs(moved) < 1e-5);
+      } else {
+        BOOST_TEST(moved == 0.5 * 9.81 * (0.6 - 0.5 * 0.8), tolerance(5e-3));
+      }
+    }
+  }
+}
+
+// Two spheres that a near field draws together stay where they touch.
+BOOST_AUTO_TEST_CASE(holds_what_a_near_field_presses_together) {
+  Particles pair = two_particles();
+  pair.position = Vectors{{0.0, 0.0, 0.0}, {1.05, 0.0, 0.0}};
+  pair.velocity.setZero();
+  pair.velocity.col(1).setConstant(2e4);
+  const Scene scene(pair, Space{}, NearField{.alpha1 = 1.0, .alpha2 = 0.1},
+                    Contact{.restitution = ConstantRestitution{0.5}});
+  State state = start(scene);
+  const Outcome outcome = run(scene, state, 10.0, VelocityVerlet(), FixedStep{.step = 1e-3});
+  const double apart = (state.r.reshaped(2, 3).row(1) - state.r.reshaped(2, 3).row(0)).norm();
+  BOOST_TEST((outcome.status == Status::reached));
+  BOOST_TEST(outcome.overlap < 1e-3);
+  BOOST_TEST(apart > 1.0 - 1e-5);
+  BOOST_TEST(apart <= 1.0);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

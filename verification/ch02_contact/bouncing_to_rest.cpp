@@ -200,6 +200,58 @@ const Case resting{
       }
     }};
 
+// A ball on the ground for a long time, with the contact that a scene has by default.
+struct Long {
+  double highest = 0.0;  // of its lowest point, in the last second [m]
+  double lowest = 0.0;   // in the whole run, at the ends of steps [m]
+  double last = 0.0;     // of its lowest point at the end [m]
+};
+
+Long for_long(double dropped_from, double e, double dt, double seconds) {
+  BouncingScene scene = bouncing_scene({dropped_from}, e, contact::Contact<>{}.gamma);
+  schemes::State state = scenes::start(scene);
+  Long seen;
+  const auto watch = [&](const schemes::State&, const schemes::State& to, double, const auto&) {
+    seen.last = to.r[2] - ball_radius;
+    seen.lowest = std::min(seen.lowest, seen.last);
+    if (to.t > seconds - 1.0) seen.highest = std::max(seen.highest, seen.last + 0.5 * to.v[2] * to.v[2] / 9.81);
+    return true;
+  };
+  require_reached(run(scene, state, seconds, dt, watch));
+  return seen;
+}
+
+// From rest the ball falls by g Dt^2/2 in the first step, and is held there.
+const Case rest_and_bounces{
+    {.name = "rest_and_elastic_bounces",
+     .claim = "by default an elastic ball keeps its height for 1000 s, and a ball at rest does not sink",
+     .equation = "R 2.2",
+     .reference = Reference::closed_form},
+    [](Rows& rows) {
+      constexpr double dt = 1e-3;
+      const double seconds = rows.quick() ? 100.0 : 1000.0;
+      rows.compare(fmt::format("elastic ball: height that it gained in {} s [m]", seconds),
+                   {.expected = 0.0,
+                    .computed = for_long(height, 1.0, dt, seconds).highest - height,
+                    .tolerance = absolute(1e-11),
+                    .because = "1e6 steps, each exact but for some 1e-17 m"});
+      for (const double e : {0.0, 0.5, 1.0}) {
+        const Long rests = for_long(0.0, e, dt, seconds);
+        rows.compare(fmt::format("ball at rest, e = {}: depth in {} s [m]", e, seconds),
+                     {.expected = 0.5 * 9.81 * dt * dt,
+                      .computed = -rests.last,
+                      .tolerance = absolute(1e-11),
+                      .because = "the fall of the first step; 1e6 steps, each exact but for some 1e-17 m"});
+        const Long landed = for_long(height, e, dt, seconds);
+        if (e < 1.0) {
+          rows.at_most(fmt::format("ball dropped, e = {}: depth in {} s over its first move in a step", e, seconds),
+                       {.limit = 1.0,
+                        .computed = -landed.lowest / (std::sqrt(2.0 * 9.81 * height) * dt),
+                        .because = "it enters the ground by less than it moves in a step"});
+        }
+      }
+    }};
+
 // Before the first impact: 9.81 m/s^2 for 0.2 s are 1.962 m/s and 0.1962 m.
 void prove_falling(Rows& rows) {
   BouncingScene scene = bouncing_scene({height}, lossy.e);

@@ -34,7 +34,7 @@ inline ThreeBodyScene three_body_scene(double closer = 0.0) {
   bodies.position *= 1.0 - closer;
   return {bodies, particulate::kinematics::Space{},
           particulate::laws::NearField{.alpha1 = 1.0, .alpha2 = 0.5, .beta1 = 2.0, .beta2 = 3.0},
-          particulate::contact::Contact<>{.restitution = {three_body_restitution}}};
+          particulate::contact::Contact<>{.restitution = {three_body_restitution}, .gamma = 0.01}};
 }
 
 using Pair = std::array<Eigen::Index, 2>;

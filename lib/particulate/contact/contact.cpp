@@ -15,8 +15,8 @@ void validate(Resolution resolution) {
 }
 
 void validate_gamma(double gamma) {
-  if (!(gamma > 0.0 && gamma < 1.0)) {
-    throw std::invalid_argument(fmt::format("contact: gamma must lie between 0 and 1, got {}", gamma));
+  if (!(gamma >= 0.0 && gamma < 1.0)) {
+    throw std::invalid_argument(fmt::format("contact: gamma must lie in [0, 1), got {}", gamma));
   }
 }
 
@@ -56,6 +56,14 @@ void set_accelerations(Touching& touching, const Eigen::VectorXd& inverse_mass, 
   for (Touch& touch : touching.contacts) {
     touch.acceleration = inverse_mass[touch.i] * f.row(touch.i).transpose();
     if (touch.j >= 0) touch.acceleration -= inverse_mass[touch.j] * f.row(touch.j).transpose();
+  }
+}
+
+void hold(Touching& touching, double dt) {
+  for (Touch& touch : touching.contacts) {
+    const double half = 0.5 * dt * touch.acceleration.dot(touch.n);
+    touch.hold = dt;
+    touch.parting = half + (half > 0.0 ? std::clamp(0.5 * (touch.depth / dt - half), 0.0, 2.0 * half) : 0.0);
   }
 }
 

@@ -15,21 +15,37 @@ namespace particulate::contact {
 
 /// Contact of spheres with each other and with walls, as a jump of the velocities at the end of a step.
 ///
-/// Pairs that overlap and approach there exchange the impulses of section 2.2, with the other forces acting on them
-/// over the duration gamma Dt. Between jumps nothing is felt of a contact, so the motion stays smooth.
+/// Pairs that overlap and approach there exchange the impulses of section 2.2. Between jumps nothing is felt of a
+/// contact, so the motion stays smooth. The impulse comes late by part of a step, an error of O(Dt).
+///
+/// By default an impact takes no time, so that an elastic ball keeps its energy to rounding. What rests is held, unless
+/// impulses are summed: where
+/// the other forces press two bodies together with the acceleration \f$ a_n \f$, and all of their approach was made
+/// within the step (\f$ u \le a_n\,\Delta t \f$) or restitution would part them for less than one, they part at
+///
+/// \f[ w = \tfrac12\, a_n\,\Delta t + \min\!\left(a_n\,\Delta t,\;
+///     \tfrac12 \left\langle \frac{\delta}{\Delta t} - \tfrac12\, a_n\,\Delta t \right\rangle\right), \f]
+///
+/// instead: under constant forces the next step ends where it began, and an overlap delta beyond that of a fall of one
+/// step is worked off. So nothing sinks, and every contact of a cluster parts with w at least. Static friction stops
+/// the slip halfway through the step to come, so that nothing creeps either. Held bodies quiver with \f$ \tfrac12
+/// a_n\,\Delta t \f$ between the ends of steps. All of this is exact for schemes of second order or more; Euler's
+/// methods rest an overlap of \f$ a_n\,\Delta t^2 \f$ deep, and creep.
+///
+/// A gamma is the monograph's: the other forces act on the pair over the duration gamma Dt, for which the impulse makes
+/// up. As the step that follows applies them again, an elastic ball gains their work over the duration, O(gamma Dt) an
+/// impact, and what rests is not held: it sinks by
+/// \f$ \tfrac12 g\, \Delta t^2\, (1 - e - 2\gamma)/(1 + e) \f$ a step, or hops where that is negative.
 ///
 /// @equation{R 2.2} The monograph adds the impulse as a force J/Dt over the step; the two differ by one free flight of
-/// the impulse, O(Dt). Impulses change velocities, not positions: a body at rest on another under a normal acceleration
-/// g approaches it with \f$ (1 - \gamma)\, g\, \Delta t/(1 + e) \f$ at the end of each step and sinks by
-/// \f$ \tfrac12 g\, \Delta t^2\, (1 - e - 2\gamma)/(1 + e) \f$ in it while \f$ e < 1 - 2\gamma \f$; the largest overlap
-/// of the run tells. A more elastic body hops, and gains the work of g over the duration, O(gamma Dt) an impact.
+/// the impulse, O(Dt).
 /// @tparam RestitutionLaw  ConstantRestitution or Restitution
 /// @tparam FrictionLaw     Frictionless or Friction
 template <class RestitutionLaw = ConstantRestitution, class FrictionLaw = Frictionless>
 struct Contact {
   RestitutionLaw restitution = {};                 ///< ConstantRestitution or Restitution
   FrictionLaw friction = {};                       ///< Frictionless or Friction
-  double gamma = 0.01;                             ///< duration of an impact over the step, 0 < gamma << 1 [-]
+  double gamma = 0.0;                              ///< duration of an impact over the step, 0 <= gamma << 1 [-]
   Resolution resolution = Resolution::sequential;  ///< of simultaneous contacts
   ImpactRecorder recorder = {};                    ///< is told of every impact; empty: nobody is
 };
@@ -110,7 +126,7 @@ Touching find_touching(const D& domain, const laws::At<laws::Velocity>& at, cons
   const auto add = [&](Eigen::Index i, Eigen::Index j, double depth, const Eigen::Vector3d& n) {
     found.directed = found.directed && n.allFinite();
     found.overlap = std::max(found.overlap, depth);
-    found.contacts.push_back({.i = i, .j = j, .n = n});
+    found.contacts.push_back({.i = i, .j = j, .n = n, .depth = depth});
   };
   const bool exact = tolerance.relative == 0.0 && tolerance.roundings == 0.0;
   const auto closed = [&](double gap, Eigen::Index i, Eigen::Index j) {
@@ -166,6 +182,12 @@ std::string without_direction(const Touching& touching);
 /// @param force         all other forces on the particles, 3 N numbers, column by column [N]
 void set_accelerations(Touching& touching, const Eigen::VectorXd& inverse_mass, schemes::In force);
 
+/// Has contacts held over the next step if they rest. @see Contact
+///
+/// @param touching  contacts with their accelerations; receives Touch::hold and Touch::parting
+/// @param dt        the step that ends here, taken for the next one as well [s]
+void hold(Touching& touching, double dt);
+
 /// Resolves the contacts of a moment, each of which has a direction.
 ///
 /// @param law       restitution, friction and resolution
@@ -201,6 +223,10 @@ template <class R, class F>
 schemes::Jump resolve_impacts(const Contact<R, F>& law, const laws::At<laws::Velocity>& at, Touching touching,
                               schemes::In force, double dt, schemes::Out velocity) {
   if (!touching.directed) return {.overlap = touching.overlap, .unsettled = without_direction(touching)};
+  if (law.gamma == 0.0 && law.resolution == Resolution::sequential) {
+    set_accelerations(touching, at.inverse_mass, force);
+    hold(touching, dt);
+  }
   return exchange_impulses(law, law.gamma * dt, at, touching, force, velocity);
 }
 

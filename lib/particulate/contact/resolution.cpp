@@ -50,11 +50,23 @@ struct Meeting {
   double wanted = 0.0;  // change of u that restitution asks for: (1 + e)(u + Delta_1)
 };
 
+// A contact that is held: all its approach is what the other forces made of it within one step, or it would not part
+// for as long as one step.
+bool rests(const Touch& touch, double u, double e) {
+  const double made = touch.hold * touch.acceleration.dot(touch.n);
+  return made > 0.0 && (u <= made * (1.0 + 1e-9) || e * u <= touch.parting);
+}
+
 template <class R, class F>
 Meeting meeting_of(const ContactResolver<R, F>& law, const Motions& motions, const Touch& touch, double duration) {
   const double u = motions.approach(touch);
+  if (law.holding) {
+    const double met = u + touch.parting;
+    return motions.can_move(touch) ? Meeting{.speed = met, .met = met, .wanted = met} : Meeting{.met = -1.0};
+  }
   if (!(u > 0.0) || !motions.can_move(touch)) return {};
   const double e = restitution_at(law.restitution, u);
+  if (rests(touch, u, e)) return {};
   const double delta1 = changes_of(touch, duration, e).compression.dot(touch.n);
   constexpr double unit_mass = 1.0;  // the impulse on it is the change of speed that restitution asks for
   const double wanted = -normal_impulse(u, delta1, e, unit_mass);
@@ -272,14 +284,16 @@ void resolve_part(const ContactResolver<R, F>& law, Motions& motions, const std:
 
 // Those of some contacts that approach fastest, ties together; none once all are at rest.
 std::vector<Touch> fastest_group(const std::vector<Touch>& contacts, const std::vector<Meeting>& meetings,
-                                 double at_rest) {
+                                 double at_rest, bool with_resting) {
   double fastest = 0.0;
   for (const Meeting& meeting : meetings) {
     if (meeting.met > at_rest) fastest = std::max(fastest, meeting.speed);
   }
   std::vector<Touch> group;
   for (std::size_t k = 0; k < contacts.size(); ++k) {
-    if (meetings[k].met > at_rest && meetings[k].speed >= fastest * (1.0 - tie)) group.push_back(contacts[k]);
+    const Meeting& meeting = meetings[k];
+    const bool ties = meeting.met > at_rest && meeting.speed >= fastest * (1.0 - tie);
+    if (ties || (with_resting && fastest > 0.0 && meeting.met >= -at_rest)) group.push_back(contacts[k]);
   }
   return group;
 }
@@ -293,7 +307,7 @@ void settle(const ContactResolver<R, F>& law, Motions& motions, const std::vecto
   const auto contacts = static_cast<long>(cluster.size());
   const long most_rounds = 10000 + 200 * contacts * contacts;
   for (long round = 0; round < most_rounds; ++round) {
-    const std::vector<Touch> group = fastest_group(cluster, meetings, at_rest);
+    const std::vector<Touch> group = fastest_group(cluster, meetings, at_rest, law.holding);
     if (group.empty()) return;
     for (const std::vector<Touch>& part : connected(group, motions.inverse_mass)) {
       resolve_part(law, motions, part, duration, done);
@@ -306,6 +320,14 @@ void settle(const ContactResolver<R, F>& law, Motions& motions, const std::vecto
       most_rounds, contacts, fastest_met(meetings));
 }
 
+// Those of some clusters in which any two bodies approach.
+std::vector<std::vector<Touch>> approaching(const Motions& motions, std::vector<std::vector<Touch>> clusters) {
+  std::erase_if(clusters, [&](const std::vector<Touch>& cluster) {
+    return std::none_of(cluster.begin(), cluster.end(), [&](const Touch& t) { return motions.approach(t) > 0.0; });
+  });
+  return clusters;
+}
+
 }  // namespace
 
 template <class RestitutionLaw, class FrictionLaw>
@@ -313,10 +335,17 @@ Resolved ContactResolver<RestitutionLaw, FrictionLaw>::operator()(const std::vec
                                                                   const Eigen::VectorXd& inverse_mass, double duration,
                                                                   kinematics::VectorsOut velocity) const {
   Motions motions{.inverse_mass = inverse_mass, .velocity = velocity};
-  if (resolution == Resolution::summed) return resolve_summed(*this, motions, touching, duration);
   Resolved done;
-  for (const std::vector<Touch>& cluster : connected(touching, inverse_mass)) {
-    settle(*this, motions, cluster, duration, done);
+  const std::vector<std::vector<Touch>> clusters = approaching(motions, connected(touching, inverse_mass));
+  if (resolution == Resolution::summed) {
+    done = resolve_summed(*this, motions, touching, duration);
+  } else {
+    for (const std::vector<Touch>& cluster : clusters) settle(*this, motions, cluster, duration, done);
+  }
+  const ContactResolver<ConstantRestitution, FrictionLaw> holds{{0.0}, friction, resolution, recorder, true};
+  for (const std::vector<Touch>& cluster : clusters) {
+    const bool pressed = std::any_of(cluster.begin(), cluster.end(), [](const Touch& t) { return t.parting > 0.0; });
+    if (pressed && done.unsettled.empty()) settle(holds, motions, cluster, 0.5 * cluster.front().hold, done);
   }
   return done;
 }

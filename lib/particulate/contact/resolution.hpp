@@ -27,6 +27,9 @@ struct Touch {
   Eigen::Index j = -1;                                     ///< the other; negative: a wall
   Eigen::Vector3d n = Eigen::Vector3d::Zero();             ///< unit vector from i to j
   Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();  ///< of i minus that of j, by all other forces [m/s^2]
+  double depth = 0.0;                                      ///< overlap, negative: a gap that counts as closed [m]
+  double hold = 0.0;                                       ///< step to hold it over if it rests; 0: it is not held [s]
+  double parting = 0.0;                                    ///< speed at which it parts at least if it is held [m/s]
 };
 
 /// One impact, as it was resolved.
@@ -71,6 +74,10 @@ struct Resolved {
 /// held between opposite walls. Two bodies that are both immovable exchange
 /// nothing.
 ///
+/// Contacts that are to be held (Touch::hold) and rest take no part in that. Afterwards every cluster with an approach
+/// in it gets the impulses after which each of its contacts parts at Touch::parting at least, those that just do so
+/// together, with no restitution and friction that judges the slip halfway through the step to come.
+///
 /// @equation{D 2.2} The monograph sums; the rest is beyond it.
 /// @tparam RestitutionLaw  ConstantRestitution or Restitution
 /// @tparam FrictionLaw     Frictionless or Friction
@@ -80,6 +87,7 @@ struct ContactResolver {
   FrictionLaw friction;                            ///< Friction or Frictionless
   Resolution resolution = Resolution::sequential;  ///< in what order
   const ImpactRecorder& recorder = nobody;         ///< is told of every impact; it must outlive the resolver
+  bool holding = false;                            ///< every contact parts at Touch::parting at least
 
   /// Resolves all contacts of one moment.
   ///
