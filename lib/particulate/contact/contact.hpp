@@ -205,8 +205,10 @@ schemes::Jump exchange_impulses(const L& law, double duration, const laws::At<la
   const ContactResolver<decltype(law.restitution), decltype(law.friction)> resolver{law.restitution, law.friction,
                                                                                     law.resolution, law.recorder};
   const Resolved done = resolver(touching.contacts, at.inverse_mass, duration, v);
-  const double change = 0.5 * at.mass.dot(v.rowwise().squaredNorm() - at.velocity.rowwise().squaredNorm());
-  return {.impacts = done.impacts, .energy_change = change, .overlap = touching.overlap, .unsettled = done.unsettled};
+  return {.impacts = done.impacts,
+          .energy_change = done.energy_change,
+          .overlap = touching.overlap,
+          .unsettled = done.unsettled};
 }
 
 /// Resolves the contacts of a moment: the jump of a scene with this law.

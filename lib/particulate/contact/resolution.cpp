@@ -191,69 +191,72 @@ double safe_share(const Motions& motions, const std::vector<Touch>& part,
   return bend > 0.0 ? std::clamp(-slope / bend, 0.0, 1.0) : 1.0;
 }
 
-// Returns the impulses of friction, one a contact.
+// Adds the impulses of friction to those of a part.
 template <class R>
-std::vector<Eigen::Vector3d> rub(const ContactResolver<R, Friction>& law, Motions& motions,
-                                 const std::vector<Touch>& part, const Eigen::VectorXd& pushes,
-                                 const std::vector<Meeting>& meetings, double duration) {
-  std::vector<Eigen::Vector3d> impulses;
+void rub(const ContactResolver<R, Friction>& law, Motions& motions, const std::vector<Touch>& part,
+         const std::vector<Meeting>& meetings, double duration, std::vector<Impulse>& impulses) {
+  std::vector<Eigen::Vector3d> friction;
   for (std::size_t k = 0; k < part.size(); ++k) {
     const Touch& touch = part[k];
     const Body i = motions.body(touch.i), j = motions.body(touch.j);
     const External external = changes_of(touch, duration, restitution_at(law.restitution, meetings[k].speed));
     const Eigen::Vector3d slip = i.velocity - j.velocity + external.compression + external.recovery;
-    impulses.push_back(tangential_impulse(law.friction, slip - slip.dot(touch.n) * touch.n,
-                                          1.0 / (i.inverse_mass + j.inverse_mass),
-                                          pushes[static_cast<Eigen::Index>(k)]));
+    friction.push_back(tangential_impulse(law.friction, slip - slip.dot(touch.n) * touch.n,
+                                          1.0 / (i.inverse_mass + j.inverse_mass), -impulses[k].normal));
   }
-  const double share = part.size() == 1 ? 1.0 : safe_share(motions, part, impulses);
+  const double share = part.size() == 1 ? 1.0 : safe_share(motions, part, friction);
   for (std::size_t k = 0; k < part.size(); ++k) {
-    impulses[k] *= share;
-    motions.push(part[k], impulses[k]);
+    impulses[k].tangential = share * friction[k];
+    motions.push(part[k], impulses[k].tangential);
   }
-  return impulses;
 }
 
 template <class R>
-std::vector<Eigen::Vector3d> rub(const ContactResolver<R, Frictionless>&, Motions&, const std::vector<Touch>&,
-                                 const Eigen::VectorXd&, const std::vector<Meeting>&, double) {
-  return {};
-}
+void rub(const ContactResolver<R, Frictionless>&, Motions&, const std::vector<Touch>&, const std::vector<Meeting>&,
+         double, std::vector<Impulse>&) {}
 
-// The velocities of i as seen from j; empty where nobody wants to know.
-std::vector<Eigen::Vector3d> relative_velocities(const ImpactRecorder& recorder, const Motions& motions,
-                                                 const std::vector<Touch>& part) {
+// The velocities of i as seen from j.
+std::vector<Eigen::Vector3d> relative_velocities(const Motions& motions, const std::vector<Touch>& part) {
   std::vector<Eigen::Vector3d> all;
-  if (!recorder) return all;
+  all.reserve(part.size());
   for (const Touch& touch : part) all.push_back(motions.relative(touch));
   return all;
+}
+
+// Books impulses that acted together: each works on the mean of the relative velocities before and after, which no
+// common motion of the bodies enters.
+void book(const ImpactRecorder& recorder, const Motions& motions, const std::vector<Touch>& part,
+          const std::vector<Impulse>& impulses, const std::vector<Eigen::Vector3d>& before, Resolved& done) {
+  for (std::size_t k = 0; k < part.size(); ++k) {
+    const Touch& touch = part[k];
+    const Impulse& impulse = impulses[k];
+    if (impulse.normal == 0.0) continue;
+    const Eigen::Vector3d after = motions.relative(touch);
+    done.energy_change += impulse.total(touch.n).dot(0.5 * (before[k] + after));
+    done.largest_impulse = std::max(done.largest_impulse, -impulse.normal);
+    ++done.impacts;
+    if (recorder) recorder({touch.i, touch.j, touch.n, -impulse.normal, impulse.tangential, before[k], after});
+  }
 }
 
 // All impulses from the velocities before, then added.
 template <class R, class F>
 Resolved resolve_summed(const ContactResolver<R, F>& law, Motions& motions, const std::vector<Touch>& touching,
                         double duration) {
-  Resolved done;
   std::vector<Touch> pushed;
   std::vector<Impulse> impulses;
   for (const Touch& touch : touching) {
     const Meeting meeting = meeting_of(law, motions, touch, duration);
     if (meeting.wanted == 0.0) continue;
     const double e = restitution_at(law.restitution, meeting.speed);
-    const Impulse impulse = impact_impulse(motions.body(touch.i), motions.body(touch.j), touch.n, e,
-                                           changes_of(touch, duration, e), law.friction);
     pushed.push_back(touch);
-    impulses.push_back(impulse);
-    done.largest_impulse = std::max(done.largest_impulse, -impulse.normal);
-    ++done.impacts;
+    impulses.push_back(impact_impulse(motions.body(touch.i), motions.body(touch.j), touch.n, e,
+                                      changes_of(touch, duration, e), law.friction));
   }
-  const std::vector<Eigen::Vector3d> before = relative_velocities(law.recorder, motions, pushed);
+  const std::vector<Eigen::Vector3d> before = relative_velocities(motions, pushed);
   for (std::size_t k = 0; k < pushed.size(); ++k) motions.push(pushed[k], impulses[k].total(pushed[k].n));
-  for (std::size_t k = 0; k < before.size(); ++k) {
-    const Touch& touch = pushed[k];
-    const Impulse& impulse = impulses[k];
-    law.recorder({touch.i, touch.j, touch.n, -impulse.normal, impulse.tangential, before[k], motions.relative(touch)});
-  }
+  Resolved done;
+  book(law.recorder, motions, pushed, impulses, before, done);
   return done;
 }
 
@@ -264,22 +267,15 @@ void resolve_part(const ContactResolver<R, F>& law, Motions& motions, const std:
   const std::vector<Meeting> meetings = meetings_of(law, motions, part, duration);
   Eigen::VectorXd wanted(static_cast<Eigen::Index>(part.size()));
   for (std::size_t k = 0; k < part.size(); ++k) wanted[static_cast<Eigen::Index>(k)] = meetings[k].wanted;
-  const std::vector<Eigen::Vector3d> before = relative_velocities(law.recorder, motions, part);
+  const std::vector<Eigen::Vector3d> before = relative_velocities(motions, part);
   const Eigen::VectorXd pushes = group_pushes(part, motions.inverse_mass, wanted);
+  std::vector<Impulse> impulses(part.size());
   for (std::size_t k = 0; k < part.size(); ++k) {
-    const double push = pushes[static_cast<Eigen::Index>(k)];
-    motions.push(part[k], -push * part[k].n);
-    done.largest_impulse = std::max(done.largest_impulse, push);
-    if (push > 0.0) ++done.impacts;
+    impulses[k].normal = -pushes[static_cast<Eigen::Index>(k)];
+    motions.push(part[k], impulses[k].normal * part[k].n);
   }
-  const std::vector<Eigen::Vector3d> friction = rub(law, motions, part, pushes, meetings, duration);
-  for (std::size_t k = 0; k < before.size(); ++k) {
-    const double push = pushes[static_cast<Eigen::Index>(k)];
-    const Eigen::Vector3d tangential = friction.empty() ? Eigen::Vector3d::Zero().eval() : friction[k];
-    if (push > 0.0) {
-      law.recorder({part[k].i, part[k].j, part[k].n, push, tangential, before[k], motions.relative(part[k])});
-    }
-  }
+  rub(law, motions, part, meetings, duration, impulses);
+  book(law.recorder, motions, part, impulses, before, done);
 }
 
 // Those of some contacts that approach fastest, ties together; none once all are at rest.

@@ -52,6 +52,7 @@ inline const ImpactRecorder nobody = {};  ///< records nothing
 struct Resolved {
   long impacts = 0;            ///< impulses exchanged [-]
   double largest_impulse = 0;  ///< largest normal impulse of one impact [N s]
+  double energy_change = 0;    ///< of the kinetic energy: every impulse times the mean relative velocity it acts on [J]
   std::string unsettled;       ///< not empty: pairs still approach, how fast, and what to do
 };
 
