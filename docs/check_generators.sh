@@ -50,6 +50,8 @@ cat >lib/particulate/topic/laws.hpp <<'H'
 namespace particulate::topic {
 /// A law.
 ///
+/// \f[ \|x\| = 2, \qquad y =
+///      3. \f]
 /// @equation{M 2.15} And why.
 struct Law {
   double e = 1.0;  ///< restitution @equation{R 2.4.2}
@@ -63,22 +65,24 @@ template <class D, class E = Law>
   requires Domain<D>
 inline bool add_force(const Law& law,
                       const D& domain);
-/// @equation{M 1.33}
+/// @equation{M 1.33} of \f$ b \f$ and \f$ e = 1 \f$
 inline constexpr double ruler = 1.0;
 }  // namespace particulate::topic
 H
-equations lib/particulate/topic/laws.hpp | grep '^| [MDR]' >index
+equations -v chapters='ch01_fundamentals' lib/particulate/topic/laws.hpp >page
+grep '^| [MDR]' page >index
 cat >expected <<'H'
-| D 1.4.3 | [derived here](@ref provenance) | @ref particulate::topic::Law::at "topic::Law::at" | @ref particulate/topic/laws.hpp |
-| M 1.33 | [stated in the monograph](@ref provenance) | @ref particulate::topic::ruler "topic::ruler" | @ref particulate/topic/laws.hpp |
-| M 1.39–1.41 | [stated in the monograph](@ref provenance) | @ref particulate::topic::add_force "topic::add_force" | @ref particulate/topic/laws.hpp |
-| M about 2.3 | [stated in the monograph](@ref provenance) | @ref particulate::topic::add_force "topic::add_force" | @ref particulate/topic/laws.hpp |
-| R 2.4.2 | [reconstruction](@ref provenance) | @ref particulate::topic::Law::e "topic::Law::e" | @ref particulate/topic/laws.hpp |
-| M 2.15 | [stated in the monograph](@ref provenance) | @ref particulate::topic::Law "topic::Law" | @ref particulate/topic/laws.hpp |
+| M (1.33) | \f$ \begin{aligned} & e = 1 \end{aligned} \f$ | @ref particulate::topic::ruler "topic::ruler" |
+| M (1.39–1.41) |  | @ref particulate::topic::add_force "topic::add_force" |
+| D section 1.4.3 |  | @ref particulate::topic::Law::at "topic::Law::at" |
+| M about (2.3) |  | @ref particulate::topic::add_force "topic::add_force" |
+| M (2.15) | \f$ \begin{aligned} & \Vert x\Vert  = 2, \\ & y = 3 \end{aligned} \f$ | @ref particulate::topic::Law "topic::Law" |
+| R section 2.4.2 |  | @ref particulate::topic::Law::e "topic::Law::e" |
 H
-diff expected index || complain 'equations.awk must list six equations in the order of their numbers'
+diff expected index || complain 'equations.awk must list six equations, equations before sections, in the order of their numbers'
+holds page '## Chapter 2 {#equations_2}' 'The program: @ref ch01_fundamentals.' '@ref map_2 "map"'
 equations -v filter=1 lib/particulate/topic/laws.hpp >filtered
-holds filtered '/// @equation_row{M 2.15,stated in the monograph} And why.' '@equation_row{M about 2.3,stated'
+holds filtered '/// @equation_row{M (2.15),stated in the monograph} And why.' '@equation_row{M about (2.3),stated'
 [ "$(wc -l <filtered)" = "$(wc -l <lib/particulate/topic/laws.hpp)" ] || complain 'the filter must keep the lines'
 for bad in 'X 1.3' 'M 33' 'M1.33' 'D 1.4.3, 1.5' ''; do
   printf '/// @equation{%s}\nvoid f();\n' "$bad" >lib/bad.hpp

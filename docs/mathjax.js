@@ -8,7 +8,7 @@ MathJax.Hub.Config({
       norm: ["{\\lVert #1 \\rVert}", 1]
     }
   },
-  SVG: { font: "TeX", linebreaks: { automatic: true } },
+  SVG: { font: "TeX", linebreaks: { automatic: false } },
   showMathMenu: false,
   messageStyle: "none"
 });

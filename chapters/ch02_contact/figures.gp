@@ -12,7 +12,7 @@ set ylabel 'normal velocity [m/s]'
 set xrange [0:1]
 set label 1 'compression' at 0.5*turn, graph 0.04 center
 set label 2 'recovery' at 0.5*(1+turn), graph 0.04 center
-set yrange [-0.7:2]
+set yrange [-0.7:2.6]
 set key top left
 plot file('phases') skip 1 using 1:2 with linespoints lt 1 title 'i, pushed', \
      '' skip 1 using 1:3 with linespoints lt 2 title 'j, i being pushed', \
@@ -25,7 +25,7 @@ set output 'ch02_head_on.svg'
 set xlabel 'restitution e'
 set ylabel 'after the impact'
 set yrange [-1.05:1.05]
-set key top left
+set key outside top center vertical
 plot file('head_on') skip 1 using 1:4 with lines lt 3 lw 3 title 'share of energy kept, e²', \
      '' skip 1 using 1:3 with lines lt 2 title 'velocity of j, −1 m/s before [m/s]', \
      '' skip 1 using 1:2 with lines lt 1 title 'velocity of i, 1 m/s before [m/s]', \
@@ -39,6 +39,7 @@ stats file('oblique') skip 1 using 2 name 'v' nooutput
 stop = 0.5*mu_max
 set xrange [0:1.6*stop]
 set yrange [-0.3*v_max:1.05*v_max]
+set key inside
 set arrow 1 from stop, graph 0 to stop, graph 0.6 nohead lt 7
 set label 1 'μ_d* ' at stop, graph 0.06 right
 set key top right
@@ -65,7 +66,7 @@ plot file('limits') skip 1 using 2:(angle(60)) with lines lt 3 title '60 degrees
      '' skip 1 using 2:(broken(30)) with lines lt 1 dt 2 lw 1.4 notitle, \
      file('bottoms') skip 1 using 2:4 with points lt 7 pt 7 ps 1.2 title 'μ_d*'
 
-set terminal svg size 640,560 dynamic enhanced font 'sans-serif,14' background '#ffffff' rounded
+set terminal svg size 640,560 dynamic enhanced font 'sans-serif,16' background '#ffffff' rounded
 set output 'ch02_severity.svg'
 set multiplot layout 2,1
 set autoscale x
@@ -73,7 +74,7 @@ set xlabel ''
 set ylabel 'restitution e'
 set yrange [0:*]
 set offsets 0, 0, 0.08, 0
-set key inside top right
+set key inside top right vertical maxcols 1
 plot file('severity') skip 1 using 1:3 with lines lt 2 title 'constant', \
      '' skip 1 using 1:2 with lines lt 1 title 'falling to a floor'
 set xlabel 'approach speed [m/s]'
@@ -83,7 +84,7 @@ set key top left
 plot file('severity') skip 1 using 1:5 with lines lt 2 title 'constant', \
      '' skip 1 using 1:4 with lines lt 1 title 'falling to a floor'
 unset multiplot
-set terminal svg size 640,620 dynamic enhanced font 'sans-serif,14' background '#ffffff' rounded
+set terminal svg size 640,620 dynamic enhanced font 'sans-serif,16' background '#ffffff' rounded
 
 set output 'ch02_ledger.svg'
 set multiplot
