@@ -19,24 +19,24 @@ void StepRates::begin(const Problem& problem, const State& state, bool ask) {
   of_ = problem.identity();
 }
 
-bool StepRates::begin_step(const State& from) {
+bool StepRates::find_start(const State& from) {
   if (!end.hold_at(from)) {
     if (start.hold_at(from)) return true;
-    start.forget();
-    before_ = 0.0;
+    begin_anew();
     return false;
   }
   before_ = watched_ ? last_dt_ : 0.0;
   if (watched_) std::swap(third_, start.rates);
-  std::swap(start, end);
+  start.rates.a.swap(end.rates.a);
+  start.rates.dy.swap(end.rates.dy);
+  swap(start.at, end.at);
   end.forget();
   return true;
 }
 
 void StepRates::forget() {
-  start.forget();
+  begin_anew();
   end.forget();
-  before_ = 0.0;
   watched_ = false;
 }
 

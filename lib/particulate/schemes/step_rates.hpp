@@ -39,7 +39,11 @@ class StepRates {
   ///
   /// @param from  its start
   /// @return whether `start` holds there
-  bool begin_step(const State& from);
+  bool begin_step(const State& from) {
+    if (end.at.t == from.t || start.at.t == from.t) return find_start(from);
+    begin_anew();
+    return false;
+  }
   /// @param dt  length of the step that was accepted [s]
   void accept(double dt) { last_dt_ = dt; }
   /// Drops everything.
@@ -67,6 +71,12 @@ class StepRates {
 
  private:
   static constexpr double inside = 0.25;
+
+  bool find_start(const State& from);
+  void begin_anew() {
+    start.forget();
+    before_ = 0.0;
+  }
 
   Rates third_;
   State there_;
