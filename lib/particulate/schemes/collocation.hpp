@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -9,6 +10,7 @@
 #include <particulate/schemes/mixing.hpp>
 #include <particulate/schemes/newton.hpp>
 #include <particulate/schemes/problem.hpp>
+#include <particulate/schemes/scales.hpp>
 #include <particulate/schemes/stage_solver.hpp>
 
 namespace particulate::schemes {
@@ -23,8 +25,9 @@ enum class Guess {
 struct CollocationSettings {
   Guess guess = Guess::extrapolated;  ///< see Guess
   bool compensated = true;            ///< whether what rounding takes from the state is kept and added again
-  double size = 1.0;                  ///< errors of values and positions count relative above it, > 0 [their unit]
-  double speed = 1.0;                 ///< errors of velocities likewise, > 0 [m/s]
+  std::optional<double> size = {};    ///< errors of values and positions count relative above it, > 0 [their unit];
+                                      ///< none: see ErrorScales
+  std::optional<double> speed = {};   ///< errors of velocities likewise, > 0 [m/s]
   Eigen::VectorXd sizes = {};         ///< one size for each number in (r, y), instead of `size`; empty: none
 };
 
@@ -88,7 +91,7 @@ class AnyCollocation {
   /// @return how the iteration of each part of the state went; empty where there is one part alone
   std::span<const Iteration> iterations() const { return measures_.iterations(); }
 
-  /// The error that the step just made left, relative to the sizes of the settings; see Collocation.
+  /// The error that the step just made left, in its ErrorScales; see Collocation.
   ///
   /// @param problem  the right-hand side; Radau on values asks for one more after a refused step, and at the start
   /// @param from     state at the start
@@ -130,7 +133,7 @@ class AnyCollocation {
 
   bool is_newton() const { return solver_.how == StageSolver::How::newton; }
   Eigen::Index S() const { return table_->stages(); }
-  Eigen::VectorXd sizes(const State& from) const;
+  bool prepare_newton(const Problem& problem, const State& from, double dt, const State& to);
   void begin_step(const Problem& problem, const State& from);
   bool continues(const State& from) const;
   bool guess(const Problem& problem, const State& from, double dt);
@@ -140,16 +143,15 @@ class AnyCollocation {
   void add(const double* weights, double scale, Eigen::VectorXd& places, Eigen::VectorXd& values) const;
   bool renew_rates(const Problem& problem, const State& from, double dt);
   void draw_through(Eigen::Index i);
-  void mix(const State& from, double dt);
+  void mix();
   double stage_change(const Eigen::MatrixXd& change, const State& from, double dt) const;
   void finish(const State& from, double dt, State& to);
   void weigh_otherwise(double dt);
   void measure(const Problem& problem, const State& from, double dt, const State& to);
   void measure_motion(const Problem& problem, const State& from, double dt, const State& to);
-  double over_motion_sizes(const Eigen::VectorXd& a, const State& to, double dt) const;
-  double over_value_sizes(const Eigen::VectorXd& x, const State& to) const;
-  Truncation leading_coefficient(double dt, const State& to);
-  Truncation defect_at_start(const Problem& problem, const State& from, double dt, const State& to);
+  double of_motion(const Eigen::VectorXd& a, double dt) const;
+  Truncation leading_coefficient(double dt);
+  Truncation defect_at_start(const Problem& problem, const State& from, double dt);
   Eigen::VectorXd filtered(const Eigen::VectorXd& defect, double dt) const;
 
   const CollocationTable* table_;
@@ -158,16 +160,18 @@ class AnyCollocation {
   CollocationSettings settings_;
   StageSolver solver_;
   PartMeasures measures_;
+  ErrorScales scales_;
+  Eigen::VectorXd sizes_;            // of the unknowns, for Newton
   Eigen::Index n_ = 0, m_ = 0;       // places, and values with rates: the rows of what follows
   Eigen::MatrixXd k_, old_, image_;  // rates (a, dy), one column a stage
   Eigen::VectorXd f_, start_, guessed_;
   State stage_;
   Rates rates_;
-  Eigen::VectorXd change_, before_, before_y_, other_r_, other_y_, other_before_r_, other_before_y_, zero_;  // scratch
+  Eigen::VectorXd change_, before_, before_y_, other_r_, other_y_, other_before_r_, other_before_y_;  // scratch
   Carry carry_, new_carry_;                                   // of the start, and of the end
   State end_{.t = std::numeric_limits<double>::quiet_NaN()};  // of the step accepted last
   State new_end_;                                             // of the step made last
-  double old_dt_ = 0.0, newton_change_ = 0.0, rate_ = 0.0;
+  double old_dt_ = 0.0, rate_ = 0.0;
   Problem::Identity of_{};  // whose history this is
   double refused_at_ = std::numeric_limits<double>::quiet_NaN();
   bool accepted_ = false, has_old_ = false, bootstraps_ = false, retried_ = false, needs_speed_ = false;

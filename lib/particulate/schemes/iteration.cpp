@@ -76,6 +76,18 @@ void PartMeasures::begin_as_one() {
   measures_.front().begin(1);
 }
 
+void PartMeasures::normalize_motion(const Problem& problem, const State& from, double dt, const Eigen::VectorXd& after,
+                                    double scale) {
+  const bool by_speed = problem.traits().velocities;
+  zero_.setZero(from.r.size());
+  const double size = scale * problem.distance(by_speed ? from.v : from.r, zero_);
+  if (problem.has_scales()) {
+    problem.common_motion(from.v, drifted_);
+    drifted_ = from.r + dt * drifted_;
+  }
+  motion().normalize(problem.distance(after, problem.has_scales() ? drifted_ : from.r), size);
+}
+
 double PartMeasures::distance(const Problem& problem, const Range& range, const Eigen::VectorXd& x,
                               const Eigen::VectorXd& y) const {
   if (measures_.size() == 1) return problem.distance(x, y);

@@ -83,6 +83,16 @@ class PartMeasures {
   /// @return it; without motion that of the first range
   IterationMeasure& motion() { return measures_.front(); }
 
+  /// Sets what the sweeps over the motion are measured by: see IterationMeasure::normalize.
+  ///
+  /// @param problem  measures, and knows the motion that its bodies share, if it HasScales
+  /// @param from     the start of the step
+  /// @param dt       the step [s]
+  /// @param after    places after the first sweep [m]
+  /// @param scale    of velocities to places, where the sweeps are measured by these; else 1 [s]
+  void normalize_motion(const Problem& problem, const State& from, double dt, const Eigen::VectorXd& after,
+                        double scale);
+
   /// Books a sweep over all ranges of y.
   ///
   /// @param problem  measures
@@ -116,6 +126,7 @@ class PartMeasures {
   double distance(const Problem& problem, const Range& range, const Eigen::VectorXd& x, const Eigen::VectorXd& y) const;
 
   std::vector<IterationMeasure> measures_{1};  // the motion's first, where there is one, then one a range
+  Eigen::VectorXd zero_, drifted_;
   std::vector<Range> ranges_;
   std::vector<Iteration> iterations_;
   bool moves_ = true;

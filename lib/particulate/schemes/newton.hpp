@@ -44,6 +44,7 @@ bool difference_jacobian(const RatesOf& rates, const Eigen::VectorXd& x, const E
 struct StageEquations {
   const Eigen::MatrixXd& A;      ///< of the method, s x s
   const Eigen::VectorXd& sizes;  ///< of the unknowns (r, y), > 0
+  double speed = 0.0;            ///< of velocities, > 0 where rates depend on them [m/s]
   bool bad = false;              ///< whether the Jacobian in hand has shown itself no good
 };
 
@@ -104,7 +105,7 @@ class NewtonSteps {
   std::shared_ptr<const Factors> factors_;
   State known_at_;
   Eigen::VectorXd sizes_;
-  double factorized_ = 0.0;
+  double speed_ = 0.0, factorized_ = 0.0;
 };
 
 }  // namespace particulate::schemes

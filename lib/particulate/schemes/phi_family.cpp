@@ -124,10 +124,7 @@ void PhiFamily<Mixing>::measure_motion(const Problem& problem, const State& from
   const bool by_speed = problem.traits().velocities;
   const double scale = by_speed ? phi_ * dt : 1.0;
   next_ = from.r + dt * from.v + (phi_ * dt * dt) * rates_.a;
-  if (measure.waits_for_first()) {
-    const Eigen::VectorXd zero = Eigen::VectorXd::Zero(from.r.size());
-    measure.normalize(problem.distance(next_, from.r), scale * problem.distance(by_speed ? from.v : from.r, zero));
-  }
+  if (measure.waits_for_first()) measures_.normalize_motion(problem, from, dt, next_, scale);
   if (by_speed) next_ = from.v + dt * rates_.a;
   measure.record(scale * problem.distance(next_, by_speed ? to.v : to.r));
 }

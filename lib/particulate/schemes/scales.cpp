@@ -14,9 +14,6 @@ namespace {
 // A step that moves everything by less than this share of the spacing is as good as none.
 constexpr double at_rest = 1e-8;
 
-// Below it numbers lose digits: nothing is compared with less.
-constexpr double smallest = std::numeric_limits<double>::min() / std::numeric_limits<double>::epsilon();
-
 // NaN is the worst.
 double worse(double a, double b) { return b >= a || std::isnan(b) ? b : a; }
 

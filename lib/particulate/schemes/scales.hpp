@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -43,6 +44,9 @@ void validate(std::string_view whose, const Sizes& sizes);
 /// Nothing is remembered from one step to the next: what was large once does not loosen what is small now.
 class ErrorScales {
  public:
+  /// Nothing is compared with less: below it numbers lose digits.
+  static constexpr double smallest = std::numeric_limits<double>::min() / std::numeric_limits<double>::epsilon();
+
   ErrorScales() = default;
   /// @param given  valid
   explicit ErrorScales(Sizes given) : given_(std::move(given)) {}
