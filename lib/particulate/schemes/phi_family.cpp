@@ -84,8 +84,8 @@ void PhiFamily<Mixing>::at(const State& from, double dt, double theta, State& th
 // Of what rates do in the step, D1, and what they do otherwise than in the step before, D2.
 template <class Mixing>
 Truncation PhiFamily<Mixing>::truncation(const Problem& problem, const State& from, double dt, const State& to) {
-  const int estimate = phi_ == 0.5 ? 2 : 1;
-  if (!find_rates(problem, from, dt, to)) return {.error = std::numeric_limits<double>::infinity(), .order = estimate};
+  const int p = phi_ == 0.5 ? 2 : 1;
+  if (!find_rates(problem, from, dt, to)) return over_a_change(std::numeric_limits<double>::infinity(), p);
   const Rates &start = kept_.start.rates, &end = kept_.end.rates;
   const auto of_rates = [&](const Eigen::VectorXd& f, const Eigen::VectorXd& next, const Eigen::VectorXd& third,
                             Eigen::VectorXd& error) {
@@ -97,7 +97,7 @@ Truncation PhiFamily<Mixing>::truncation(const Problem& problem, const State& fr
   of_rates(start.dy, end.dy, kept_.third().dy, error_.y);
   error_.r = (dt * dt) * ((0.5 - phi_) * start.a + (1.0 / 6.0 - phi_ * phi_) * (end.a - start.a));
   scales_.look(problem, from, dt, to);
-  return estimated(scales_.relative(error_), estimate);
+  return over_a_change(scales_.relative(error_), p);
 }
 
 // The rates at the end are what the mean makes them, without a further right-hand side.

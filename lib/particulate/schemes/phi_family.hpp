@@ -84,8 +84,8 @@ class PhiFamily {
   /// @return how the iteration of each part of the state went; empty where there is one part alone
   std::span<const Iteration> iterations() const { return measures_.iterations(); }
 
-  /// The error that the step just made left, relative to what ErrorScales sees; from the rates at
-  /// both ends and, unless phi = 1, at the start of the step before:
+  /// The error that the step just made left, relative to ErrorScales and over_a_change(), from the rates at both ends
+  /// and, unless phi = 1, at the start of the step before:
   /// \f$ (\tfrac12 - \phi)\,\Delta t\,(f^{L+1} - f^L) - \tfrac1{12} \Delta t^3 f'' \f$ of velocities and values, of
   /// places \f$ (\tfrac12 - \phi)\,\Delta t^2 a^L + (\tfrac16 - \phi^2)\,\Delta t^2 (a^{L+1} - a^L) \f$.
   ///
@@ -93,7 +93,7 @@ class PhiFamily {
   /// @param from     state at the start
   /// @param dt       step [s]
   /// @param to       state at its end
-  /// @return the error and its order 1, of phi = 1/2 2; infinite where the problem has no value
+  /// @return it, of order 0, of phi = 1/2 of order 1; infinite where the problem has no value
   Truncation truncation(const Problem& problem, const State& from, double dt, const State& to);
 
   /// Begins a run: goes on from the last one where that ended with the same problem, else anew.

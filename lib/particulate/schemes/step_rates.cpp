@@ -49,4 +49,6 @@ Truncation estimated(double error, int order) {
   return {.error = std::isnan(error) ? std::numeric_limits<double>::infinity() : error, .order = order};
 }
 
+Truncation over_a_change(double error, int p) { return estimated(std::pow(error, p / (p + 1.0)), p - 1); }
+
 }  // namespace particulate::schemes

@@ -96,7 +96,23 @@ class StepRates {
 void second_difference(const Eigen::VectorXd& start, const Eigen::VectorXd& end, const Eigen::VectorXd& other,
                        double place, Eigen::VectorXd& to);
 
-/// @param error  of a step, relative @param order of its estimate @return the same; infinite where it is no number
+/// An estimate of the error of a step.
+///
+/// @param error  relative [-]
+/// @param order  it falls with the power order + 1 of Dt [-]
+/// @return the same; infinite where it is no number
 Truncation estimated(double error, int order);
+
+/// The error of a step as that of a run, for a method of low order, whose steps are many.
+///
+/// \f[ \epsilon = (\Delta t/\tau)^{p+1} \quad\Rightarrow\quad \epsilon^{p/(p+1)} = (\Delta t/\tau)^p, \f]
+///
+/// what the steps over a time tau, in which the solution changes by as much as itself, leave together: the error of a
+/// run is then a multiple of TOL, the same for every TOL. Of high order both are nearly the same.
+///
+/// @param error  that the step left, relative [-]
+/// @param p      order of the method [-]
+/// @return that power of it, of order p - 1; infinite where it is no number
+Truncation over_a_change(double error, int p);
 
 }  // namespace particulate::schemes

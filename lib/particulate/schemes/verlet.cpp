@@ -4,6 +4,12 @@
 
 namespace particulate::schemes {
 
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
 bool VelocityVerlet::keep(const Problem& problem, const State& state, const Eigen::VectorXd& v, KeptRates& kept) {
   kept.forget();
   if (!problem.rates(state.t, state.r, v, state.y, kept.rates)) return false;
@@ -25,14 +31,13 @@ bool VelocityVerlet::predict(const Problem& problem, const State& from, double d
 }
 
 Truncation VelocityVerlet::truncation(const Problem& problem, const State& from, double dt, const State& to) {
-  if (!kept_.find_third(*this, problem, from, dt))
-    return {.error = std::numeric_limits<double>::infinity(), .order = 2};
+  if (!kept_.find_third(*this, problem, from, dt)) return over_a_change(infinity, order);
   const Eigen::VectorXd &a = kept_.start.rates.a, &next = kept_.end.rates.a;
   second_difference(a, next, kept_.third().a, kept_.place(), error_.v);
   error_.v *= dt / 12.0;
   error_.r = (dt * dt / 6.0) * (next - a);
   scales_.look(problem, from, dt, to);
-  return estimated(scales_.relative(error_), 2);
+  return over_a_change(scales_.relative(error_), order);
 }
 
 // The cubic through places and velocities of both ends, and through velocities and accelerations, which has no cubic

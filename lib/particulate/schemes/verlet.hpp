@@ -44,7 +44,7 @@ struct VelocityVerlet {
   /// @param there  receives the state
   void at(const State& from, double dt, double theta, State& there) const;
 
-  /// The error that the step just made left, relative to what ErrorScales sees; of places by the change of
+  /// The error that the step just made left, relative to ErrorScales and over_a_change(): of places by the change of
   /// the acceleration in the step, \f$ \tfrac16 \Delta t^2 (a^{L+1} - a^L) \f$, of velocities by that of its change
   /// since the step before, \f$ \tfrac1{12} \Delta t^3 a'' \f$.
   ///
@@ -52,7 +52,7 @@ struct VelocityVerlet {
   /// @param from     state at the start
   /// @param dt       step [s]
   /// @param to       state at its end
-  /// @return the error and its order 2; infinite where the problem has no value
+  /// @return it, of order 1; infinite where the problem has no value
   Truncation truncation(const Problem& problem, const State& from, double dt, const State& to);
 
   /// Begins a run: goes on from the last one where that ended with the same problem, else anew.
