@@ -186,6 +186,7 @@ void validate(const Replayed<C>&) {}
 // Counts by itself what the run claims to have counted.
 template <class C>
 struct Watched {
+  static constexpr bool ignores_truncation = IgnoresTruncation<C>;
   C control;
   long steps = 0, rejections = 0, swept = 0;
 
