@@ -4,12 +4,6 @@
 
 namespace particulate::schemes {
 
-namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-}  // namespace
-
 bool VelocityVerlet::keep(const Problem& problem, const State& state, const Eigen::VectorXd& v, KeptRates& kept) {
   kept.forget();
   if (!problem.rates(state.t, state.r, v, state.y, kept.rates)) return false;
@@ -31,7 +25,7 @@ bool VelocityVerlet::predict(const Problem& problem, const State& from, double d
 }
 
 Truncation VelocityVerlet::truncation(const Problem& problem, const State& from, double dt, const State& to) {
-  if (!kept_.find_third(*this, problem, from, dt)) return over_a_change(infinity, order);
+  if (!kept_.find_third(*this, problem, from, dt)) return over_a_change(std::numeric_limits<double>::infinity(), order);
   const Eigen::VectorXd &a = kept_.start.rates.a, &next = kept_.end.rates.a;
   second_difference(a, next, kept_.third().a, kept_.place(), error_.v);
   error_.v *= dt / 12.0;
