@@ -60,12 +60,14 @@ Outcome sum(const Outcome& one, const Outcome& other) {
 }
 
 // The original goes on after the checkpoint was taken, the checkpoint after it: neither may see the other. A scheme
-// whose kept rates would be wrong if the problem had changed asks for them again.
+// whose history would be wrong if the problem had changed asks once more.
 template <class S, class C>
 void compare_continued(Rows& rows, const std::string& which, const Problem& problem, const State& start, double t_end,
                        const S& scheme, const C& control) {
   constexpr bool first_same_as_last = std::is_same_v<S, RungeKutta4> && std::is_same_v<C, ErrorControl>;
-  constexpr long asked_again = std::is_same_v<S, VelocityVerlet> || first_same_as_last ? 1 : 0;
+  constexpr bool asks_again =
+      std::is_same_v<S, VelocityVerlet> || std::is_base_of_v<AnyCollocation, S> || first_same_as_last;
+  constexpr long asked_again = asks_again ? 1 : 0;
   Checkpoint<S, C> whole{.state = start, .scheme = scheme, .control = control};
   Checkpoint<S, C> parts = whole;
   whole.go_on(problem, t_end);
