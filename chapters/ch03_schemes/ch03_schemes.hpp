@@ -156,6 +156,7 @@ struct Logged {
     bool accepted;          // whether it stands
     Control after;          // the control, as it left the attempt
   };
+  static constexpr bool ignores_truncation = schemes::IgnoresTruncation<Control>;
   Control control;
   std::vector<Entry> entries = {};
   double t = 0.0;  // start of the next one [s]

@@ -71,10 +71,9 @@ void begins_anew(const S& fresh) {
   }
 }
 
-// A problem that is made four times as stiff between two parts of a run: as if the second were begun by a new scheme,
-// within the tolerance of the sweeps.
+// A problem that is made four times as stiff between two parts of a run: as if the second were begun by a new scheme.
 template <class S>
-void sees_a_change_in_place(S scheme, double tolerance) {
+void sees_a_change_in_place(S scheme) {
   S fresh = scheme;
   Spring spring;
   FixedStep control{.step = 0.125, .TOL = 1e-13};
@@ -84,7 +83,7 @@ void sees_a_change_in_place(S scheme, double tolerance) {
   State anew = state;
   BOOST_TEST(integrate(spring, state, 2.0, scheme, control).reason == "");
   BOOST_TEST(integrate(spring, anew, 2.0, fresh, control).steps == 8);
-  BOOST_TEST(close(flat(state), flat(anew), {.absolute = tolerance}));
+  BOOST_TEST(close(flat(state), flat(anew), {}));
 }
 
 // One run and two parts of it.
@@ -115,11 +114,11 @@ BOOST_AUTO_TEST_CASE(anew_whatever_the_scheme_was_used_for) {
 }
 
 BOOST_AUTO_TEST_CASE(with_a_problem_that_was_changed_in_place) {
-  sees_a_change_in_place(VelocityVerlet(), 0.0);
-  sees_a_change_in_place(RungeKutta4(), 0.0);
-  sees_a_change_in_place(PhiFamily<>(0.5), 0.0);
-  sees_a_change_in_place(Collocation<Gauss<4>>(), 1e-13);
-  sees_a_change_in_place(Collocation<Radau<3>, Newton<>>(), 1e-12);
+  sees_a_change_in_place(VelocityVerlet());
+  sees_a_change_in_place(RungeKutta4());
+  sees_a_change_in_place(PhiFamily<>(0.5));
+  sees_a_change_in_place(Collocation<Gauss<4>>());
+  sees_a_change_in_place(Collocation<Radau<3>, Newton<>>());
 }
 
 BOOST_AUTO_TEST_CASE(where_the_last_run_ended_with_what_that_knew) {

@@ -469,7 +469,7 @@ BOOST_AUTO_TEST_CASE(lets_the_state_jump_after_a_step_and_tells_the_scheme) {
   const Outcome outcome = run(Bouncing{}, state, 4.0, scheme, FixedStep{.step = 0.25}, observe);
   BOOST_TEST((outcome.status == Status::reached));
   BOOST_TEST(outcome.impacts == 2);
-  BOOST_TEST(scheme.forgotten == 3);  // at the start, and after each impact
+  BOOST_TEST(scheme.forgotten == 2);
   BOOST_TEST(scheme.accepted == 16);
   BOOST_TEST(outcome.evaluations == 19);  // one a step, one at the start, one after each impact
   BOOST_TEST(before[3] == -2.0);          // observed before the jump

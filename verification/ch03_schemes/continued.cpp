@@ -60,11 +60,14 @@ Outcome sum(const Outcome& one, const Outcome& other) {
 }
 
 // The original goes on after the checkpoint was taken, the checkpoint after it: neither may see the other. A scheme
-// whose kept rates would be wrong if the problem had changed asks for them again.
+// whose history would be wrong if the problem had changed asks once more.
 template <class S, class C>
 void compare_continued(Rows& rows, const std::string& which, const Problem& problem, const State& start, double t_end,
                        const S& scheme, const C& control) {
-  const long asked_again = std::is_same_v<S, VelocityVerlet> ? 1 : 0;
+  constexpr bool first_same_as_last = std::is_same_v<S, RungeKutta4> && std::is_same_v<C, ErrorControl>;
+  constexpr bool asks_again =
+      std::is_same_v<S, VelocityVerlet> || std::is_base_of_v<AnyCollocation, S> || first_same_as_last;
+  constexpr long asked_again = asks_again ? 1 : 0;
   Checkpoint<S, C> whole{.state = start, .scheme = scheme, .control = control};
   Checkpoint<S, C> parts = whole;
   whole.go_on(problem, t_end);
@@ -97,6 +100,10 @@ void continue_near_field(Rows& rows, const std::string& method, NearFieldScene& 
   compare_continued(rows, method + ", fixed step", scene, start, 1.4, scheme, FixedStep{.step = 1.0 / 64.0});
   compare_continued(rows, method + ", Phi_K control", scene, start, 1.4, scheme,
                     PhiControl{.TOL = 1e-10, .K_d = 4, .step = 0.05, .limit = 0.05});
+  if constexpr (EstimatesTruncation<S>) {
+    compare_continued(rows, method + ", error control", scene, start, 1.4, scheme,
+                      ErrorControl{.TOL = 1e-4, .sweep_TOL = 1e-8, .step = 0.02, .limit = 0.1});
+  }
 }
 
 template <class Solver>
@@ -181,6 +188,7 @@ void validate(const Replayed<C>&) {}
 // Counts by itself what the run claims to have counted.
 template <class C>
 struct Watched {
+  static constexpr bool ignores_truncation = IgnoresTruncation<C>;
   C control;
   long steps = 0, rejections = 0, swept = 0;
 

@@ -140,12 +140,14 @@ void AnyCollocation::accept(double dt) {
 }
 
 void AnyCollocation::begin(const Problem& problem, const State& state) {
-  if (problem.identity() != of_ || !continues(state)) {
-    forget();
-  } else if (is_newton()) {
-    solver_.newton.renew(problem);
-  }
+  if (problem.identity() != of_ || !continues(state) || !answers_as_before(problem)) forget();
   of_ = problem.identity();
+}
+
+// Where it was asked last.
+bool AnyCollocation::answers_as_before(const Problem& problem) {
+  const Rates before = rates_;
+  return rates_here(problem, stage_.t) && rates_.a == before.a && rates_.dy == before.dy;
 }
 
 void AnyCollocation::forget() {
@@ -232,6 +234,7 @@ bool AnyCollocation::guess(const Problem& problem, const State& from, double dt)
 }
 
 bool AnyCollocation::rates_here(const Problem& problem, double t) {
+  stage_.t = t;
   if (!problem.rates(t, stage_.r, stage_.v, stage_.y, rates_)) return false;
   f_.head(n_) = rates_.a;
   if (m_ > 0) f_.tail(m_) = rates_.dy;

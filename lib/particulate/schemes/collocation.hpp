@@ -62,8 +62,8 @@ class AnyCollocation {
 
   /// Begins a run: goes on from the last one where that ended, else anew.
   ///
-  /// What is kept cannot spoil a step whose sweeps converge, even if the problem was changed in between: the polynomial
-  /// is but a guess, and Newton's Jacobian is taken once more where it was taken.
+  /// The problem is asked once more where it was asked last: if it answers otherwise, it was changed, and the run
+  /// begins anew.
   ///
   /// @param problem  whose history alone is kept
   /// @param state    the start
@@ -136,6 +136,7 @@ class AnyCollocation {
   bool prepare_newton(const Problem& problem, const State& from, double dt, const State& to);
   void begin_step(const Problem& problem, const State& from);
   bool continues(const State& from) const;
+  bool answers_as_before(const Problem& problem);
   bool guess(const Problem& problem, const State& from, double dt);
   bool rates_at_start(const Problem& problem, const State& from);
   bool rates_at_stage(const Problem& problem, const State& from, double dt, Eigen::Index i);

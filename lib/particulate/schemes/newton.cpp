@@ -261,10 +261,6 @@ bool NewtonSteps::take(const Problem& problem) {
   return jacobians_ != nullptr;
 }
 
-void NewtonSteps::renew(const Problem& problem) {
-  if (jacobians_) take(problem);
-}
-
 bool NewtonSteps::prepare(const Problem& problem, const State& from, double dt, const StageEquations& step) {
   if (!eigenvalues_) eigenvalues_ = std::make_shared<StageEigenvalues>(step.A);
   if (!jacobians_ || sizes_.size() != step.sizes.size() || (step.bad && known_at_.t != from.t)) {

@@ -85,11 +85,6 @@ class NewtonSteps {
   ///         there is one
   Eigen::VectorXd filtered(const Eigen::VectorXd& defect, double dt) const;
 
-  /// Takes the Jacobian in hand once more where it was taken: a problem that was changed in between gives another.
-  ///
-  /// @param problem  asked for it
-  void renew(const Problem& problem);
-
   /// Drops everything.
   void forget() { jacobians_.reset(); }
 

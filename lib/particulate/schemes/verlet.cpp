@@ -1,40 +1,43 @@
 #include <particulate/schemes/verlet.hpp>
 
-#include <cmath>
-#include <utility>
+#include <limits>
 
 namespace particulate::schemes {
 
-bool VelocityVerlet::Kept::holds_at(const State& state) const {
-  return state.t == at.t && state.r.size() == at.r.size() && state.r == at.r && state.y.size() == at.y.size() &&
-         state.y == at.y;
-}
-
-bool VelocityVerlet::Kept::renew(const Problem& problem, const State& state, const Eigen::VectorXd& v) {
-  at.t = std::numeric_limits<double>::quiet_NaN();
-  if (!problem.rates(state.t, state.r, v, state.y, rates)) return false;
-  at.t = state.t;
-  at.r = state.r;
-  at.y = state.y;
+bool VelocityVerlet::keep(const Problem& problem, const State& state, const Eigen::VectorXd& v, KeptRates& kept) {
+  kept.forget();
+  if (!problem.rates(state.t, state.r, v, state.y, kept.rates)) return false;
+  kept.at.t = state.t;
+  kept.at.r = state.r;
+  kept.at.y = state.y;
   return true;
 }
 
 bool VelocityVerlet::predict(const Problem& problem, const State& from, double dt, State& to) {
-  if (end_.holds_at(from)) std::swap(start_, end_);
-  if (!start_.holds_at(from) && !start_.renew(problem, from, from.v)) return false;
-  const Eigen::VectorXd& a = start_.rates.a;
+  if (!kept_.begin_step(from) && !keep(problem, from, from.v, kept_.start)) return false;
+  const Eigen::VectorXd& a = kept_.start.rates.a;
   advance_time(from, dt, to);
   to.r = from.r + dt * from.v + (0.5 * dt * dt) * a;
   to.y = from.y;
-  if (!end_.renew(problem, to, from.v)) return false;
-  to.v = from.v + (0.5 * dt) * (a + end_.rates.a);
+  if (!keep(problem, to, from.v, kept_.end)) return false;
+  to.v = from.v + (0.5 * dt) * (a + kept_.end.rates.a);
   return true;
+}
+
+Truncation VelocityVerlet::truncation(const Problem& problem, const State& from, double dt, const State& to) {
+  if (!kept_.find_third(*this, problem, from, dt)) return over_a_change(std::numeric_limits<double>::infinity(), order);
+  const Eigen::VectorXd &a = kept_.start.rates.a, &next = kept_.end.rates.a;
+  second_difference(a, next, kept_.third().a, kept_.place(), error_.v);
+  error_.v *= dt / 12.0;
+  error_.r = (dt * dt / 6.0) * (next - a);
+  scales_.look(problem, from, dt, to);
+  return over_a_change(scales_.relative(error_), order);
 }
 
 // The cubic through places and velocities of both ends, and through velocities and accelerations, which has no cubic
 // term.
 void VelocityVerlet::at(const State& from, double dt, double theta, State& there) const {
-  const Eigen::VectorXd &a = start_.rates.a, &next = end_.rates.a;
+  const Eigen::VectorXd &a = kept_.start.rates.a, &next = kept_.end.rates.a;
   const double square = theta * theta;
   advance_time(from, theta * dt, there);
   there.r = from.r + (theta * dt) * from.v + (0.5 * dt * dt * square) * (a + (theta - 1.0) * (next - a));

@@ -3,6 +3,8 @@
 #include <limits>
 
 #include <particulate/schemes/problem.hpp>
+#include <particulate/schemes/scales.hpp>
+#include <particulate/schemes/step_rates.hpp>
 
 namespace particulate::schemes {
 
@@ -42,20 +44,34 @@ struct VelocityVerlet {
   /// @param there  receives the state
   void at(const State& from, double dt, double theta, State& there) const;
 
-  void accept(double) {}  ///< Keeps what it has: it knows where its accelerations hold.
+  /// The error that the step just made left, relative to ErrorScales and over_a_change(): of places by the change of
+  /// the acceleration in the step, \f$ \tfrac16 \Delta t^2 (a^{L+1} - a^L) \f$, of velocities by that of its change
+  /// since the step before, \f$ \tfrac1{12} \Delta t^3 a'' \f$.
+  ///
+  /// @param problem  asked once more in the first step alone
+  /// @param from     state at the start
+  /// @param dt       step [s]
+  /// @param to       state at its end
+  /// @return it, of order 1; infinite where the problem has no value
+  Truncation truncation(const Problem& problem, const State& from, double dt, const State& to);
+
+  /// Begins a run: goes on from the last one where that ended with the same problem, else anew.
+  ///
+  /// @param problem  asked once more where the last one ended
+  /// @param state    the start
+  void begin(const Problem& problem, const State& state) { kept_.begin(problem, state, true); }
+  /// @param dt  length of the step that stands [s]
+  void accept(double dt) { kept_.accept(dt); }
   /// Drops the kept accelerations: for a caller that has changed the problem itself.
-  void forget() { start_.at.t = end_.at.t = std::numeric_limits<double>::quiet_NaN(); }
+  void forget() { kept_.forget(); }
 
  private:
-  // Accelerations, and where they hold; velocities do not count.
-  struct Kept {
-    Rates rates;
-    State at{.t = std::numeric_limits<double>::quiet_NaN()};
-    bool holds_at(const State& state) const;
-    bool renew(const Problem& problem, const State& state, const Eigen::VectorXd& v);
-  };
+  // Velocities do not count.
+  static bool keep(const Problem& problem, const State& state, const Eigen::VectorXd& v, KeptRates& kept);
 
-  Kept start_, end_;  // of the step made last
+  StepRates kept_;
+  State error_;
+  ErrorScales scales_;
 };
 
 }  // namespace particulate::schemes
