@@ -109,7 +109,7 @@ Eigen::MatrixXd couplings(const std::vector<Touch>& group, const Eigen::VectorXd
 Eigen::VectorXd group_pushes(const std::vector<Touch>& group, const Eigen::VectorXd& inverse_mass,
                              const Eigen::VectorXd& wanted) {
   const Eigen::MatrixXd W = couplings(group, inverse_mass);
-  if (group.size() == 1) return wanted / W(0, 0);
+  if (group.size() == 1) return (wanted / W(0, 0)).cwiseMax(0.0);
   const Eigen::VectorXd scale = W.diagonal().cwiseSqrt().cwiseInverse();
   const Eigen::MatrixXd scaled = scale.asDiagonal() * W * scale.asDiagonal();
   const Eigen::VectorXd target = scale.cwiseProduct(wanted);
