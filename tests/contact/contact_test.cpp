@@ -1,5 +1,6 @@
 #include <particulate/contact/contact.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 #include <vector>
@@ -267,6 +268,7 @@ BOOST_AUTO_TEST_CASE(hands_on_what_could_not_be_settled) {
                     Wall{.point = {0.0, 0.0, 1.0}, .normal = {0.0, 0.0, -1.0}}}};
   const Jump jump = resolved(Contact{}, jammed, slot, Vectors::Zero(1, 3), 0.1).jump;
   BOOST_TEST(contains(jump.unsettled, "of 2 contacts that hang together still approach"));
+  BOOST_TEST(contains(jump.unsettled, "particle 0 is pinched between a wall and a wall, which it overlaps by"));
 }
 
 BOOST_AUTO_TEST_SUITE_END()
@@ -320,25 +322,33 @@ BOOST_AUTO_TEST_CASE(accounts_for_all_energy_that_impacts_take) {
     const Jump jump = resolved(law, three, room, Vectors::Zero(3, 3), 0.1).jump;
     BOOST_TEST(jump.unsettled.empty());
     BOOST_TEST(impacts.size() >= 4U);
-    BOOST_TEST(static_cast<long>(impacts.size()) == jump.impacts);
     BOOST_TEST(std::abs(jump.energy_change) > 0.1);
     BOOST_TEST(work_of(impacts) == jump.energy_change, tolerance(1e-12));
-    for (const ImpactRecord& impact : impacts) BOOST_TEST(impact.push > 0.0);
+    const auto pushes = [](const ImpactRecord& impact) { return impact.push > 0.0; };
+    BOOST_TEST(std::count_if(impacts.begin(), impacts.end(), pushes) == jump.impacts);
   }
 }
 
 // (1/2) m* (1 - e^2) u^2 = 0.25 0.75 1e-6 J are gone from 4e8 J, of which a double keeps 6e-8 J: the difference of two
-// kinetic energies has no digit of it. Relative velocities are right to 3.6e-12 of 2.5e-4 m/s, their mean.
+// kinetic energies has no digit of it. Relative velocities are right to 3.6e-12 of 2.5e-4 m/s, their mean. A slip of
+// 2e-4 m/s sticks and takes 0.25 4e-8 J more.
 BOOST_AUTO_TEST_CASE(knows_the_loss_of_a_slow_impact_of_fast_bodies) {
-  std::vector<ImpactRecord> impacts;
-  const Contact law{.restitution = ConstantRestitution{0.5},
-                    .recorder = [&](const ImpactRecord& impact) { impacts.push_back(impact); }};
   const Moment pair{{.position = Vectors{{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}},
-                     .velocity = Vectors{{2e4 + 1e-3, 0.0, 0.0}, {2e4, 0.0, 0.0}},
+                     .velocity = Vectors{{2e4 + 1e-3, 2e4, 2e-4}, {2e4, 2e4, 0.0}},
                      .mass = Eigen::Vector2d::Ones(),
                      .radius = Eigen::Vector2d::Constant(0.5)}};
-  BOOST_TEST(resolved(law, pair, Space{}, Vectors::Zero(2, 3), 0.1).jump.impacts == 1);
-  BOOST_TEST(work_of(impacts) == -1.875e-7, tolerance(3e-8));
+  for (const Resolution order : {Resolution::sequential, Resolution::summed}) {
+    std::vector<ImpactRecord> impacts;
+    const Contact<ConstantRestitution, Friction> law{
+        .restitution = {0.5},
+        .friction = {.mu_s = 0.5, .mu_d = 0.1},
+        .resolution = order,
+        .recorder = [&](const ImpactRecord& impact) { impacts.push_back(impact); }};
+    const Jump jump = resolved(law, pair, Space{}, Vectors::Zero(2, 3), 0.1).jump;
+    BOOST_TEST(jump.impacts == 1);
+    BOOST_TEST(jump.energy_change == -1.975e-7, tolerance(3e-8));
+    BOOST_TEST(work_of(impacts) == jump.energy_change, tolerance(1e-15));
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -58,7 +58,7 @@ Jump jump(const SpeedLimit& law, const D&, const At<Velocity>& at, double, Out v
     const double speed = v.row(i).norm();
     if (!(speed > law.most)) continue;
     v.row(i) *= law.most / speed;
-    done.energy_change += 0.5 * at.mass[i] * (law.most * law.most - speed * speed);
+    done.energy_change += 0.5 * at.mass[i] * (law.most - speed) * (law.most + speed);
     ++done.impacts;
   }
   return done;

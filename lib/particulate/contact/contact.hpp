@@ -110,7 +110,7 @@ Touching find_touching(const D& domain, const laws::At<laws::Velocity>& at, cons
   const auto add = [&](Eigen::Index i, Eigen::Index j, double depth, const Eigen::Vector3d& n) {
     found.directed = found.directed && n.allFinite();
     found.overlap = std::max(found.overlap, depth);
-    found.contacts.push_back({.i = i, .j = j, .n = n});
+    found.contacts.push_back({.i = i, .j = j, .n = n, .overlap = depth});
   };
   const bool exact = tolerance.relative == 0.0 && tolerance.roundings == 0.0;
   const auto closed = [&](double gap, Eigen::Index i, Eigen::Index j) {
@@ -183,8 +183,10 @@ schemes::Jump exchange_impulses(const L& law, double duration, const laws::At<la
   const ContactResolver<decltype(law.restitution), decltype(law.friction)> resolver{law.restitution, law.friction,
                                                                                     law.resolution, law.recorder};
   const Resolved done = resolver(touching.contacts, at.inverse_mass, duration, v);
-  const double change = 0.5 * at.mass.dot(v.rowwise().squaredNorm() - at.velocity.rowwise().squaredNorm());
-  return {.impacts = done.impacts, .energy_change = change, .overlap = touching.overlap, .unsettled = done.unsettled};
+  return {.impacts = done.impacts,
+          .energy_change = done.energy_change,
+          .overlap = touching.overlap,
+          .unsettled = done.unsettled};
 }
 
 /// Resolves the contacts of a moment: the jump of a scene with this law.

@@ -27,9 +27,11 @@ struct Touch {
   Eigen::Index j = -1;                                     ///< the other; negative: a wall
   Eigen::Vector3d n = Eigen::Vector3d::Zero();             ///< unit vector from i to j
   Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();  ///< of i minus that of j, by all other forces [m/s^2]
+  double overlap = 0.0;                                    ///< how deep they overlap; only told where they jam [m]
 };
 
-/// One impact, as it was resolved.
+/// One impact, as it was resolved. Friction of contacts that were hit one after the other has a record of its own,
+/// without a push: it is decided when the last one is.
 struct ImpactRecord {
   Eigen::Index i = 0;                                    ///< one particle
   Eigen::Index j = -1;                                   ///< the other; negative: a wall
@@ -49,6 +51,7 @@ inline const ImpactRecorder nobody = {};  ///< records nothing
 struct Resolved {
   long impacts = 0;            ///< impulses exchanged [-]
   double largest_impulse = 0;  ///< largest normal impulse of one impact [N s]
+  double energy_change = 0;    ///< of the kinetic energy: every impulse times the mean relative velocity it acts on [J]
   std::string unsettled;       ///< not empty: pairs still approach, how fast, and what to do
 };
 
@@ -63,12 +66,17 @@ struct Resolved {
 ///
 /// with W the inverse mass matrix seen along the normals, contacts that would have to pull left out. So a symmetric hit
 /// stays symmetric and the order of numbering does not matter, beyond rounding. Without other forces the normal
-/// impulses of a group take the energy \f$ \tfrac12 (1 - e^2)\, u^T W^{-1} u \ge 0 \f$. Friction of a group is scaled
-/// back where it would stop more than there is, so it takes energy too. A cluster is settled when it approaches nowhere
-/// faster than 1e-13 of its first approach, or than the rounding of its velocities; it is given up after
-/// \f$ 10^4 + 200\,n^2 \f$ rounds of n contacts, which a light body pinched between bodies thousands of times as heavy
-/// needs, as it carries their momentum across in as many hits as that ratio, and which never suffice to an elastic body
-/// held between opposite walls. Two bodies that are both immovable exchange
+/// impulses of a group take the energy \f$ \tfrac12 (1 - e^2)\, u^T W^{-1} u \ge 0 \f$.
+///
+/// Once no pair approaches, tangential_impulses() decides the friction of all contacts of the cluster together that
+/// have pushed, equally fast or not, from the whole push of each and the slip that is left; it never gives energy.
+/// Where it presses a pair together, pushes follow, and friction is decided anew from the sums, until both agree, at
+/// most 1000 times. Contacts that only touch have no push, and so no friction.
+///
+/// A cluster is settled when it approaches nowhere faster than 1e-13 of its first approach, or than the rounding of its
+/// velocities; it is given up after \f$ 10^4 + 200\,n^2 \f$ rounds of n contacts, which a light body pinched between
+/// bodies thousands of times as heavy needs, as it carries their momentum across in as many hits as that ratio, and
+/// which never suffice to an elastic body held between opposite walls. Two bodies that are both immovable exchange
 /// nothing.
 ///
 /// @equation{D 2.2} The monograph sums; the rest is beyond it.

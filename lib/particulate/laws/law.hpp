@@ -114,7 +114,9 @@ concept Conservative = requires(const L& law, const D& domain, const At<>& at) {
 };
 
 /// A law that changes velocities at once at the end of every step: `jump(law, domain, at, dt, velocity)`, with a copy
-/// of the velocities, 3 N numbers, to change in place. What it counts as an impact makes a scheme forget.
+/// of the velocities, 3 N numbers, to change in place. What it counts as an impact makes a scheme forget. It books the
+/// change of the kinetic energy, best as \f$ \tfrac12 m\,(v' - v) \cdot (v' + v) \f$, which keeps the digits that a
+/// difference of squares loses, and between bodies as the impulse times the mean of their relative velocities.
 template <class L, class D>
 concept ChangesVelocities = requires(const L& law, const D& domain, const At<Velocity>& at, double dt,
                                      schemes::Out velocity) {
