@@ -186,11 +186,16 @@ struct Action {
 };
 
 // Books impulses that acted together: each works on the mean of the relative velocities before and after, which no
-// common motion of the bodies enters.
+// common motion of the bodies enters. A body that nothing moves keeps its own energy: what it gives the other is
+// gained.
 void book(const ImpactRecorder& recorder, const Motions& motions, std::vector<Action>& actions, Resolved& done) {
   for (const auto& [touch, impulse, before] : actions) {
     const Eigen::Vector3d after = motions.relative(*touch);
-    done.energy_change += impulse.total(touch->n).dot(0.5 * (before + after));
+    const Body i = motions.body(touch->i), j = motions.body(touch->j);
+    Eigen::Vector3d seen = 0.5 * (before + after);
+    if (i.inverse_mass == 0.0) seen -= i.velocity;
+    if (j.inverse_mass == 0.0) seen += j.velocity;
+    done.energy_change += impulse.total(touch->n).dot(seen);
     done.largest_impulse = std::max(done.largest_impulse, -impulse.normal);
     if (impulse.normal < 0.0) ++done.impacts;
     if (recorder) recorder({touch->i, touch->j, touch->n, std::abs(impulse.normal), impulse.tangential, before, after});
