@@ -7,6 +7,7 @@ root=$1 bin=$2 chapter=$2/$3 scratch=$4
 rm -rf "$scratch"
 mkdir -p "$scratch"
 cd "$scratch" || exit 1
+mkfifo pipe
 wrong=0
 
 complain() {
@@ -23,7 +24,7 @@ loses() {
   "$@" >&- 2>said && complain "'$*' must not end with 0 where its output is closed"
   # A reader that has gone: by a signal, and where that is ignored by what the program says.
   for trap in '' 'trap "" PIPE;'; do
-    bash -c "$trap exec 3> >(exec true); sleep 0.05; exec \"\$@\" >&3" gone "$@" 2>said
+    bash -c "$trap exec 4<>pipe 3>pipe 4<&-; exec \"\$@\" >&3" gone "$@" 2>said
     status=$?
     ((status != 0)) || complain "'$*' must not end with 0 where its reader has gone (${trap:-the signal as usual})"
   done

@@ -1,5 +1,6 @@
 #include <particulate/contact/contact.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 #include <vector>
@@ -267,6 +268,7 @@ BOOST_AUTO_TEST_CASE(hands_on_what_could_not_be_settled) {
                     Wall{.point = {0.0, 0.0, 1.0}, .normal = {0.0, 0.0, -1.0}}}};
   const Jump jump = resolved(Contact{}, jammed, slot, Vectors::Zero(1, 3), 0.1).jump;
   BOOST_TEST(contains(jump.unsettled, "of 2 contacts that hang together still approach"));
+  BOOST_TEST(contains(jump.unsettled, "particle 0 is pinched between a wall and a wall, which it overlaps by"));
 }
 
 BOOST_AUTO_TEST_SUITE_END()
@@ -320,10 +322,27 @@ BOOST_AUTO_TEST_CASE(accounts_for_all_energy_that_impacts_take) {
     const Jump jump = resolved(law, three, room, Vectors::Zero(3, 3), 0.1).jump;
     BOOST_TEST(jump.unsettled.empty());
     BOOST_TEST(impacts.size() >= 4U);
-    BOOST_TEST(static_cast<long>(impacts.size()) == jump.impacts);
     BOOST_TEST(std::abs(jump.energy_change) > 0.1);
     BOOST_TEST(work_of(impacts) == jump.energy_change, tolerance(1e-12));
-    for (const ImpactRecord& impact : impacts) BOOST_TEST(impact.push > 0.0);
+    const auto pushes = [](const ImpactRecord& impact) { return impact.push > 0.0; };
+    BOOST_TEST(std::count_if(impacts.begin(), impacts.end(), pushes) == jump.impacts);
+  }
+}
+
+// A piston of 1 m/s that nothing stops and a ball of 2 kg at rest: it leaves with 2 m/s, and its 4 J are gained. What
+// the records see, from the piston, is an elastic impact.
+BOOST_AUTO_TEST_CASE(books_what_a_body_that_nothing_moves_gives) {
+  for (const Eigen::Index piston : {0, 1}) {
+    Particles both{.position = Vectors{{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}},
+                   .velocity = Vectors::Zero(2, 3),
+                   .mass = Eigen::Vector2d::Constant(2.0),
+                   .radius = Eigen::Vector2d::Constant(0.5),
+                   .immovable = {piston == 0, piston == 1}};
+    both.velocity(piston, 0) = piston == 0 ? 1.0 : -1.0;
+    for (const Resolution order : {Resolution::sequential, Resolution::summed}) {
+      const Jump jump = resolved(Contact{.resolution = order}, Moment{both}, Space{}, Vectors::Zero(2, 3), 0.1).jump;
+      BOOST_TEST(jump.energy_change == 4.0, tolerance(1e-15));
+    }
   }
 }
 

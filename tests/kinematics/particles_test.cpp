@@ -174,4 +174,13 @@ BOOST_AUTO_TEST_CASE(turns_its_sign_when_the_particles_are_exchanged) {
 
 BOOST_AUTO_TEST_SUITE_END()
 
+BOOST_AUTO_TEST_SUITE(relative_motion_of_others)
+
+BOOST_AUTO_TEST_CASE(is_refused_for_a_particle_that_is_not_there) {
+  CHECK_REFUSED(relative_motion(two_particles(), 0, 2), "must be one of 2, counted from 0, got 2");
+  CHECK_REFUSED(relative_motion(two_particles(), -1, 0), "got -1");
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace tests::particles_test

@@ -39,8 +39,10 @@ BOOST_AUTO_TEST_SUITE_END()
 
 // Two particles: r_0 = (1, 3, 5), r_1 = (2, 4, 6), velocities ten times that.
 State two_particles() {
-  const Eigen::VectorXd r = Eigen::VectorXd::LinSpaced(6, 1.0, 6.0);
-  return {.r = r, .v = 10.0 * r};
+  State state;
+  state.r = Eigen::VectorXd::LinSpaced(6, 1.0, 6.0);
+  state.v = 10.0 * state.r;
+  return state;
 }
 
 BOOST_AUTO_TEST_SUITE(views)

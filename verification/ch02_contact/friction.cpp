@@ -247,4 +247,55 @@ const Case stopping_friction{
      .reference = Reference::closed_form},
     prove_stopping_friction};
 
+// A ball in a groove of two walls at right angles, which it meets at unlike speeds with e = 0: what stops it is decided
+// from the sum of both pushes.
+void prove_friction_of_a_groove(Rows& rows) {
+  using Groove = scenes::Scene<kinematics::Space, contact::Contact<contact::ConstantRestitution, contact::Friction>>;
+  Encounters drawn({}, rows.case_seed());
+  double left_over = 0.0, off = 0.0, account = 0.0;
+  long stuck = 0;
+  const int count = rows.quick() ? 500 : 5000;
+  for (int k = 0; k < count; ++k) {
+    const Eigen::Vector3d along = drawn.direction(), one = along.cross(drawn.direction()).normalized(),
+                          other = along.cross(one);
+    const double first = drawn.positive(), second = k % 3 == 0 ? first : drawn.positive(), slip = 2.0 * drawn.uniform();
+    const double mu_s = drawn.positive(), mu_d = mu_s * drawn.positive(), mass = std::pow(10.0, 3.0 * drawn.uniform());
+    const Eigen::Vector3d v = slip * along - first * one - second * other;
+    const kinematics::Particles ball{.position = kinematics::Vectors::Zero(1, 3),
+                                     .velocity = v.transpose(),
+                                     .mass = Eigen::VectorXd::Constant(1, mass),
+                                     .radius = Eigen::VectorXd::Constant(1, 0.1)};
+    const Groove groove{ball,
+                        {{{.point = -0.099 * one, .normal = one}, {.point = -0.099 * other, .normal = other}}},
+                        rough(0.0, {.mu_s = mu_s, .mu_d = mu_d})};
+    const Jumped after = jump_of(groove, 1e-3);
+    const double push = first + second, size = std::abs(slip);
+    const bool sticks = size <= mu_s * push;
+    const double expected = sticks ? 0.0 : size - mu_d * push;
+    stuck += sticks ? 1 : 0;
+    const Eigen::Vector3d w = after.v.row(0).transpose();
+    keep_worst(sticks ? left_over : off, (w - std::copysign(expected, slip) * along).norm() / eps);
+    const double change = 0.5 * mass * (expected * expected - v.squaredNorm());
+    keep_worst(account, std::abs(after.jump.energy_change - change) / (eps * 0.5 * mass * v.squaredNorm()));
+  }
+  const char* const because = "speeds up to 2.5 m/s, some ten roundings each";
+  rows.at_least("share of balls that stick",
+                {.limit = 0.2, .computed = static_cast<double>(stuck) / count, .because = "else little is compared"});
+  rows.at_most("speed left where mu_s times both pushes holds the ball, in eps m/s",
+               {.limit = 32.0, .computed = left_over, .because = because});
+  rows.at_most("velocity where it slides on, against |u_t| - mu_d (P_1 + P_2)/m, in eps m/s",
+               {.limit = 32.0, .computed = off, .because = because});
+  rows.at_most("energy taken against half the mass times the squares, in eps T",
+               {.limit = 32.0, .computed = account, .because = "some ten roundings of impulses and mean velocities"});
+}
+
+const Case friction_of_a_groove{
+    {.name = "friction_of_a_groove",
+     .claim =
+         "contacts of one moment stick or slide together: a groove stops a ball if mu_s (P_1 + P_2) can, else takes "
+         "mu_d (P_1 + P_2), also where both walls are met at unlike speeds",
+     .equation = "D 2.30",
+     .reference = Reference::closed_form},
+    prove_friction_of_a_groove};
+
 }  // namespace verification::friction

@@ -320,9 +320,7 @@ template <int S>
 void pair_order(Rows& rows, const std::vector<long>& counts) {
   const double contact_time = std::sqrt(4.0 / 27.0) * (2.0 * std::numbers::pi / 3.0 + 0.25 * std::numbers::sqrt3);
   const auto scene = colliding_pair();
-  const auto apart = [](const schemes::State& there) {
-    return (there.r(Eigen::seqN(0, 3, 2)) - there.r(Eigen::seqN(1, 3, 2))).norm();
-  };
+  const auto apart = [](const schemes::State& there) { return (position(there, 0) - position(there, 1)).norm(); };
   const kinematics::Breathing motion(kinematics::breathing_pair(1.0, 0.5, 1.0, 1.0), 1.0);
   std::vector<double> steps, times, places;
   bool one_each = true;

@@ -72,16 +72,16 @@ inline particulate::schemes::State bouncing_truth(const BouncingScene& scene, co
   there.t = t;
   for (Eigen::Index i = 0; i < N; ++i) {
     const Bouncing::Moment now = Bouncing{.h = heights[static_cast<std::size_t>(i)], .e = e}.at(t);
-    there.r[2 * N + i] = ball_radius + now.z;
-    there.v[2 * N + i] = now.v;
+    positions(there)(i, 2) = ball_radius + now.z;
+    velocities(there)(i, 2) = now.v;
   }
   return there;
 }
 
 /// Events of N balls: each one's lowest point comes down to the ground.
 inline particulate::reference::Events ground_events(Eigen::Index N) {
-  return {.functions = [N](const particulate::schemes::State& at,
-                           particulate::schemes::Out g) { g = at.r.segment(2 * N, N).array() - ball_radius; },
+  return {.functions = [](const particulate::schemes::State& at,
+                          particulate::schemes::Out g) { g = positions(at).col(2).array() - ball_radius; },
           .directions = std::vector(static_cast<std::size_t>(N), particulate::reference::Direction::falling)};
 }
 

@@ -38,6 +38,28 @@ void validate(const Friction& law);
 Eigen::Vector3d tangential_impulse(const Friction& law, const Eigen::Vector3d& slip, double reduced_mass,
                                    double normal_impulse);
 
+/// Tangential impulses of several contacts that hang together: which stick and which slide is decided together.
+///
+/// \f[ P = \arg\min\; P \cdot (s + \tfrac12 W P) \quad \text{over} \quad \|P_k\| \le p_k, \f]
+///
+/// the least kinetic energy that friction up to \f$ p_k \f$ can leave. First \f$ p_k = \mu_s |J_k| \f$ everywhere. A
+/// contact that slips even so slides, and may hold \f$ p_k = \mu_d |J_k| \f$ from then on, until no other one slips. So
+/// what sticks has no slip and \f$ \|P_k\| \le \mu_s |J_k| \f$; what slides has \f$ \mu_d |J_k| \f$ against the slip
+/// that is left. The slips left are unique; of many impulses that stop all slip the least of \f$ \sum_k
+/// \|P_k\|^2/p_k \f$ are taken. No impulse at all is among those compared, so energy never rises. One contact gets
+/// what tangential_impulse() gives.
+///
+/// @equation{D 2.30} (2.30) for each contact, with the slip that the friction of its neighbours leaves.
+/// @param law              coefficients that validate() accepts
+/// @param W                how the impulses change the slips, two rows a contact, diagonal 1/m* of each [1/kg]
+/// @param slip             slips before, each in two directions across the normal [m/s]
+/// @param normal_impulses  |J_k| >= 0 [N s]
+/// @param given            friction that acts already and is decided anew, zero if none: where sliding contacts would
+///                         give energy back, those that slip keep \f$ \mu_s |J_k| \f$ [N s]
+/// @return impulses, those given included; empty if the minimum is not reached in 2000 rounds [N s]
+Eigen::VectorXd tangential_impulses(const Friction& law, const Eigen::MatrixXd& W, const Eigen::VectorXd& slip,
+                                    const Eigen::VectorXd& normal_impulses, const Eigen::VectorXd& given);
+
 /// Friction coefficient that just stops the sliding, the largest that the sliding formula allows, and the one that
 /// takes most energy.
 ///

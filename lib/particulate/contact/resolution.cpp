@@ -1,9 +1,10 @@
 #include <particulate/contact/resolution.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
-#include <map>
 #include <numeric>
+#include <type_traits>
 #include <unordered_map>
 #include <utility>
 
@@ -20,6 +21,8 @@ constexpr double tie = 1e-10;
 constexpr double rest = 1e-13;
 // Nor does it where its approach is rounding of the velocities that it is the difference of.
 constexpr double roundings = 4.0;
+// So often friction and the pushes that it calls for are decided one after the other.
+constexpr int most_frictions = 1000;
 
 struct Motions {
   const Eigen::VectorXd& inverse_mass;
@@ -88,28 +91,30 @@ double fastest_met(const std::vector<Meeting>& meetings) {
   return fastest;
 }
 
-// The speed of approach below which nothing is left to resolve.
-double speed_of_rest(const Motions& motions, const std::vector<Touch>& contacts, double fastest) {
+// What rounding makes of the velocity of one body as another sees it.
+double noise_of(const Motions& motions, const std::vector<Touch>& contacts) {
   double largest = 0.0;
   for (const Touch& touch : contacts) {
     largest = std::max({largest, motions.body(touch.i).velocity.norm(), motions.body(touch.j).velocity.norm()});
   }
-  return std::max(rest * fastest, roundings * std::numeric_limits<double>::epsilon() * largest);
+  return roundings * std::numeric_limits<double>::epsilon() * largest;
 }
 
-// How the normal impulse of contact b changes the approach speed of contact a: the shared bodies carry it.
+// How an impulse at contact b changes the relative velocity at contact a: the shared bodies carry it.
 double coupling(const Touch& a, const Touch& b, const Eigen::VectorXd& inverse_mass) {
   const auto shared = [&](Eigen::Index p, Eigen::Index q) { return p >= 0 && p == q ? inverse_mass[p] : 0.0; };
-  return a.n.dot(b.n) * (shared(a.i, b.i) + shared(a.j, b.j) - shared(a.i, b.j) - shared(a.j, b.i));
+  return shared(a.i, b.i) + shared(a.j, b.j) - shared(a.i, b.j) - shared(a.j, b.i);
 }
 
-// W: inverse masses as the normals of a group see them.
-Eigen::MatrixXd couplings(const std::vector<Touch>& group, const Eigen::VectorXd& inverse_mass) {
-  const auto n = static_cast<Eigen::Index>(group.size());
-  Eigen::MatrixXd W(n, n);
+// W: inverse masses as directions at the contacts of a group see them, which stand in as many columns a contact.
+Eigen::MatrixXd couplings(const std::vector<Touch>& group, const Eigen::Matrix3Xd& directions,
+                          const Eigen::VectorXd& inverse_mass) {
+  const auto n = static_cast<Eigen::Index>(group.size()), each = directions.cols() / n;
+  Eigen::MatrixXd W = directions.transpose() * directions;
   for (Eigen::Index a = 0; a < n; ++a) {
     for (Eigen::Index b = 0; b < n; ++b) {
-      W(a, b) = coupling(group[static_cast<std::size_t>(a)], group[static_cast<std::size_t>(b)], inverse_mass);
+      W.block(each * a, each * b, each, each) *=
+          coupling(group[static_cast<std::size_t>(a)], group[static_cast<std::size_t>(b)], inverse_mass);
     }
   }
   return W;
@@ -120,8 +125,10 @@ Eigen::MatrixXd couplings(const std::vector<Touch>& group, const Eigen::VectorXd
 // look like that.
 Eigen::VectorXd group_pushes(const std::vector<Touch>& group, const Eigen::VectorXd& inverse_mass,
                              const Eigen::VectorXd& wanted) {
-  const Eigen::MatrixXd W = couplings(group, inverse_mass);
-  if (group.size() == 1) return wanted / W(0, 0);
+  if (group.size() == 1) return (wanted / coupling(group[0], group[0], inverse_mass)).cwiseMax(0.0);
+  Eigen::Matrix3Xd normals(3, wanted.size());
+  for (std::size_t k = 0; k < group.size(); ++k) normals.col(static_cast<Eigen::Index>(k)) = group[k].n;
+  const Eigen::MatrixXd W = couplings(group, normals, inverse_mass);
   const Eigen::VectorXd scale = W.diagonal().cwiseSqrt().cwiseInverse();
   const Eigen::MatrixXd scaled = scale.asDiagonal() * W * scale.asDiagonal();
   const Eigen::VectorXd target = scale.cwiseProduct(wanted);
@@ -146,8 +153,17 @@ Eigen::VectorXd group_pushes(const std::vector<Touch>& group, const Eigen::Vecto
   return scale.cwiseProduct(pushes);
 }
 
-// Contacts that hang together through bodies that can move: each part is resolved by itself.
-std::vector<std::vector<Touch>> connected(const std::vector<Touch>& contacts, const Eigen::VectorXd& inverse_mass) {
+std::vector<Touch> chosen(const std::vector<Touch>& contacts, const std::vector<std::size_t>& which) {
+  std::vector<Touch> group;
+  group.reserve(which.size());
+  for (const std::size_t k : which) group.push_back(contacts[k]);
+  return group;
+}
+
+// Those of some contacts that hang together through bodies that can move: each part is resolved by itself.
+std::vector<std::vector<std::size_t>> connected(const std::vector<Touch>& contacts,
+                                                const std::vector<std::size_t>& which,
+                                                const Eigen::VectorXd& inverse_mass) {
   std::vector<std::size_t> above(contacts.size());
   std::iota(above.begin(), above.end(), 0U);
   const auto root = [&](std::size_t k) {
@@ -160,168 +176,254 @@ std::vector<std::vector<Touch>> connected(const std::vector<Touch>& contacts, co
     const std::size_t first = first_of_body.try_emplace(body, contact).first->second;
     above[root(contact)] = root(first);
   };
-  for (std::size_t k = 0; k < contacts.size(); ++k) {
+  for (const std::size_t k : which) {
     join(contacts[k].i, k);
     join(contacts[k].j, k);
   }
-  std::vector<std::vector<Touch>> parts;
+  std::vector<std::vector<std::size_t>> parts;
   std::unordered_map<std::size_t, std::size_t> part_of_root;
-  for (std::size_t k = 0; k < contacts.size(); ++k) {
+  for (const std::size_t k : which) {
     const std::size_t part = part_of_root.try_emplace(root(k), parts.size()).first->second;
     if (part == parts.size()) parts.emplace_back();
-    parts[part].push_back(contacts[k]);
+    parts[part].push_back(k);
   }
   return parts;
 }
 
-// Friction of several contacts acts on bodies that they share, and together it can stop more than there is. Along the
-// sum of their impulses the kinetic energy is a parabola: it is never followed beyond its minimum.
-double safe_share(const Motions& motions, const std::vector<Touch>& part,
-                  const std::vector<Eigen::Vector3d>& impulses) {
-  std::map<Eigen::Index, Eigen::Vector3d> on_body;
-  double slope = 0.0;
-  for (std::size_t k = 0; k < part.size(); ++k) {
-    const Touch& touch = part[k];
-    slope += impulses[k].dot(motions.body(touch.i).velocity - motions.body(touch.j).velocity);
-    on_body.try_emplace(touch.i, Eigen::Vector3d::Zero()).first->second += impulses[k];
-    if (touch.j >= 0) on_body.try_emplace(touch.j, Eigen::Vector3d::Zero()).first->second -= impulses[k];
+// An impulse of those that act together, and the relative velocity that they found.
+struct Action {
+  const Touch* touch;
+  Impulse impulse;
+  Eigen::Vector3d before;
+};
+
+// Books impulses that acted together: each works on the mean of the relative velocities before and after, which no
+// common motion of the bodies enters. A body that nothing moves keeps its own energy: what it gives the other is
+// gained.
+void book(const ImpactRecorder& recorder, const Motions& motions, std::vector<Action>& actions, Resolved& done) {
+  for (const auto& [touch, impulse, before] : actions) {
+    const Eigen::Vector3d after = motions.relative(*touch);
+    const Body i = motions.body(touch->i), j = motions.body(touch->j);
+    Eigen::Vector3d seen = 0.5 * (before + after);
+    if (i.inverse_mass == 0.0) seen -= i.velocity;
+    if (j.inverse_mass == 0.0) seen += j.velocity;
+    done.energy_change += impulse.total(touch->n).dot(seen);
+    done.largest_impulse = std::max(done.largest_impulse, -impulse.normal);
+    if (impulse.normal < 0.0) ++done.impacts;
+    if (recorder) recorder({touch->i, touch->j, touch->n, std::abs(impulse.normal), impulse.tangential, before, after});
   }
-  double bend = 0.0;
-  for (const auto& [body, impulse] : on_body) bend += motions.inverse_mass[body] * impulse.squaredNorm();
-  return bend > 0.0 ? std::clamp(-slope / bend, 0.0, 1.0) : 1.0;
+  actions.clear();
 }
 
-// Adds the impulses of friction to those of a part.
-template <class R>
-void rub(const ContactResolver<R, Friction>& law, Motions& motions, const std::vector<Touch>& part,
-         const std::vector<Meeting>& meetings, double duration, std::vector<Impulse>& impulses) {
-  std::vector<Eigen::Vector3d> friction;
-  for (std::size_t k = 0; k < part.size(); ++k) {
-    const Touch& touch = part[k];
+// All impulses from the velocities before, each as if alone, then added.
+template <class R, class F>
+void resolve_each(const ContactResolver<R, F>& law, Motions& motions, const std::vector<Touch>& touching,
+                  double duration, double at_rest, Resolved& done) {
+  std::vector<Action> actions;
+  for (const Touch& touch : touching) {
+    const Meeting meeting = meeting_of(law, motions, touch, duration);
+    if (!(meeting.met > at_rest)) continue;
+    const double e = restitution_at(law.restitution, meeting.speed);
     const Body i = motions.body(touch.i), j = motions.body(touch.j);
-    const External external = changes_of(touch, duration, restitution_at(law.restitution, meetings[k].speed));
-    const Eigen::Vector3d slip = i.velocity - j.velocity + external.compression + external.recovery;
-    friction.push_back(tangential_impulse(law.friction, slip - slip.dot(touch.n) * touch.n,
-                                          1.0 / (i.inverse_mass + j.inverse_mass), -impulses[k].normal));
+    actions.push_back({&touch, impact_impulse(i, j, touch.n, e, changes_of(touch, duration, e), law.friction),
+                       i.velocity - j.velocity});
   }
-  const double share = part.size() == 1 ? 1.0 : safe_share(motions, part, friction);
+  for (const Action& action : actions) motions.push(*action.touch, action.impulse.total(action.touch->n));
+  book(law.recorder, motions, actions, done);
+}
+
+// Contacts that hang together, and what they have exchanged at this moment.
+struct Cluster {
+  std::vector<Touch> contacts;
+  std::vector<Impulse> impulses;
+};
+
+// Pushes contacts that approach equally fast and hang together apart, at once.
+void push_apart(Motions& motions, Cluster& cluster, const std::vector<std::size_t>& part,
+                const std::vector<Meeting>& meetings, std::vector<Action>& actions) {
+  Eigen::VectorXd wanted(static_cast<Eigen::Index>(part.size()));
+  for (std::size_t k = 0; k < part.size(); ++k) wanted[static_cast<Eigen::Index>(k)] = meetings[part[k]].wanted;
+  const Eigen::VectorXd pushes = group_pushes(chosen(cluster.contacts, part), motions.inverse_mass, wanted);
+  const std::size_t first = actions.size();
   for (std::size_t k = 0; k < part.size(); ++k) {
-    impulses[k].tangential = share * friction[k];
-    motions.push(part[k], impulses[k].tangential);
+    const double push = pushes[static_cast<Eigen::Index>(k)];
+    if (!(push > 0.0)) continue;
+    const Touch& touch = cluster.contacts[part[k]];
+    cluster.impulses[part[k]].normal -= push;
+    actions.push_back({&touch, {.normal = -push}, motions.relative(touch)});
+  }
+  for (std::size_t k = first; k < actions.size(); ++k) {
+    motions.push(*actions[k].touch, actions[k].impulse.normal * actions[k].touch->n);
   }
 }
 
-template <class R>
-void rub(const ContactResolver<R, Frictionless>&, Motions&, const std::vector<Touch>&, const std::vector<Meeting>&,
-         double, std::vector<Impulse>&) {}
+// Two tangents a contact, in which its friction lies.
+Eigen::Matrix3Xd tangents_of(const std::vector<Touch>& group) {
+  Eigen::Matrix3Xd tangents(3, 2 * static_cast<Eigen::Index>(group.size()));
+  for (std::size_t k = 0; k < group.size(); ++k) {
+    const auto at = 2 * static_cast<Eigen::Index>(k);
+    tangents.col(at) = group[k].n.unitOrthogonal();
+    tangents.col(at + 1) = group[k].n.cross(tangents.col(at));
+  }
+  return tangents;
+}
 
-// The velocities of i as seen from j.
-std::vector<Eigen::Vector3d> relative_velocities(const Motions& motions, const std::vector<Touch>& part) {
+// Friction of contacts that hang together, decided anew from all that they have exchanged so far: what the sum of it
+// is to be now. Empty: no answer was found.
+std::vector<Eigen::Vector3d> friction_of(const Friction& law, const Motions& motions, const std::vector<Touch>& group,
+                                         const std::vector<Impulse>& so_far, double duration) {
+  const auto slip_of = [&](const Touch& touch) -> Eigen::Vector3d {
+    return motions.relative(touch) + duration * touch.acceleration;
+  };
+  if (group.size() == 1 && so_far[0].tangential.isZero(0.0)) {
+    const Eigen::Vector3d slip = slip_of(group[0]);
+    const double reduced_mass = 1.0 / coupling(group[0], group[0], motions.inverse_mass);
+    return {tangential_impulse(law, slip - slip.dot(group[0].n) * group[0].n, reduced_mass, -so_far[0].normal)};
+  }
+  const Eigen::Matrix3Xd tangents = tangents_of(group);
+  const Eigen::MatrixXd W = couplings(group, tangents, motions.inverse_mass);
+  Eigen::VectorXd slip(W.rows()), given(W.rows()), pushes(W.rows() / 2);
+  for (Eigen::Index k = 0; k < pushes.size(); ++k) {
+    const auto of = static_cast<std::size_t>(k);
+    const auto across = tangents.middleCols<2>(2 * k).transpose();
+    slip.segment<2>(2 * k) = across * slip_of(group[of]);
+    given.segment<2>(2 * k) = across * so_far[of].tangential;
+    pushes[k] = -so_far[of].normal;
+  }
+  const Eigen::VectorXd P = tangential_impulses(law, W, slip, pushes, given);
   std::vector<Eigen::Vector3d> all;
-  all.reserve(part.size());
-  for (const Touch& touch : part) all.push_back(motions.relative(touch));
+  for (Eigen::Index k = 0; 2 * k < P.size(); ++k) all.emplace_back(tangents.middleCols<2>(2 * k) * P.segment<2>(2 * k));
   return all;
 }
 
-// Books impulses that acted together: each works on the mean of the relative velocities before and after, which no
-// common motion of the bodies enters.
-void book(const ImpactRecorder& recorder, const Motions& motions, const std::vector<Touch>& part,
-          const std::vector<Impulse>& impulses, const std::vector<Eigen::Vector3d>& before, Resolved& done) {
-  for (std::size_t k = 0; k < part.size(); ++k) {
-    const Touch& touch = part[k];
-    const Impulse& impulse = impulses[k];
-    if (impulse.normal == 0.0) continue;
-    const Eigen::Vector3d after = motions.relative(touch);
-    done.energy_change += impulse.total(touch.n).dot(0.5 * (before[k] + after));
-    done.largest_impulse = std::max(done.largest_impulse, -impulse.normal);
-    ++done.impacts;
-    if (recorder) recorder({touch.i, touch.j, touch.n, -impulse.normal, impulse.tangential, before[k], after});
+// Lets the contacts of a cluster rub that have pushed. Together with the pushes of the last round where no others
+// have, else after them. Returns whether an answer was found.
+template <class R>
+bool rub(const ContactResolver<R, Friction>& law, Motions& motions, Cluster& cluster, double duration,
+         std::vector<Action>& actions, Resolved& done) {
+  std::vector<std::size_t> pushed;
+  for (std::size_t k = 0; k < cluster.contacts.size(); ++k) {
+    if (cluster.impulses[k].normal < 0.0) pushed.push_back(k);
   }
+  if (pushed.size() > actions.size()) {
+    book(law.recorder, motions, actions, done);
+    for (const std::size_t k : pushed) {
+      actions.push_back({&cluster.contacts[k], {}, motions.relative(cluster.contacts[k])});
+    }
+  }
+  for (const std::vector<std::size_t>& part : connected(cluster.contacts, pushed, motions.inverse_mass)) {
+    std::vector<Impulse> so_far;
+    for (const std::size_t k : part) so_far.push_back(cluster.impulses[k]);
+    const std::vector<Eigen::Vector3d> friction =
+        friction_of(law.friction, motions, chosen(cluster.contacts, part), so_far, duration);
+    if (friction.empty()) return false;
+    for (std::size_t k = 0; k < part.size(); ++k) {
+      const Touch& touch = cluster.contacts[part[k]];
+      const Eigen::Vector3d more = friction[k] - so_far[k].tangential;
+      motions.push(touch, more);
+      cluster.impulses[part[k]].tangential = friction[k];
+      for (Action& action : actions) {
+        if (action.touch == &touch) action.impulse.tangential = more;
+      }
+    }
+  }
+  return true;
 }
 
-// All impulses from the velocities before, then added.
-template <class R, class F>
-Resolved resolve_summed(const ContactResolver<R, F>& law, Motions& motions, const std::vector<Touch>& touching,
-                        double duration) {
-  std::vector<Touch> pushed;
-  std::vector<Impulse> impulses;
-  for (const Touch& touch : touching) {
-    const Meeting meeting = meeting_of(law, motions, touch, duration);
-    if (meeting.wanted == 0.0) continue;
-    const double e = restitution_at(law.restitution, meeting.speed);
-    pushed.push_back(touch);
-    impulses.push_back(impact_impulse(motions.body(touch.i), motions.body(touch.j), touch.n, e,
-                                      changes_of(touch, duration, e), law.friction));
-  }
-  const std::vector<Eigen::Vector3d> before = relative_velocities(motions, pushed);
-  for (std::size_t k = 0; k < pushed.size(); ++k) motions.push(pushed[k], impulses[k].total(pushed[k].n));
-  Resolved done;
-  book(law.recorder, motions, pushed, impulses, before, done);
-  return done;
-}
-
-// Resolves contacts that approach equally fast and hang together, at once.
-template <class R, class F>
-void resolve_part(const ContactResolver<R, F>& law, Motions& motions, const std::vector<Touch>& part, double duration,
-                  Resolved& done) {
-  const std::vector<Meeting> meetings = meetings_of(law, motions, part, duration);
-  Eigen::VectorXd wanted(static_cast<Eigen::Index>(part.size()));
-  for (std::size_t k = 0; k < part.size(); ++k) wanted[static_cast<Eigen::Index>(k)] = meetings[k].wanted;
-  const std::vector<Eigen::Vector3d> before = relative_velocities(motions, part);
-  const Eigen::VectorXd pushes = group_pushes(part, motions.inverse_mass, wanted);
-  std::vector<Impulse> impulses(part.size());
-  for (std::size_t k = 0; k < part.size(); ++k) {
-    impulses[k].normal = -pushes[static_cast<Eigen::Index>(k)];
-    motions.push(part[k], impulses[k].normal * part[k].n);
-  }
-  rub(law, motions, part, meetings, duration, impulses);
-  book(law.recorder, motions, part, impulses, before, done);
+template <class R>
+bool rub(const ContactResolver<R, Frictionless>&, Motions&, Cluster&, double, std::vector<Action>&, Resolved&) {
+  return true;
 }
 
 // Those of some contacts that approach fastest, ties together; none once all are at rest.
-std::vector<Touch> fastest_group(const std::vector<Touch>& contacts, const std::vector<Meeting>& meetings,
-                                 double at_rest, bool with_resting) {
+std::vector<std::size_t> fastest_group(const std::vector<Meeting>& meetings, double at_rest, double noise,
+                                       bool with_resting) {
   double fastest = 0.0;
   for (const Meeting& meeting : meetings) {
     if (meeting.met > at_rest) fastest = std::max(fastest, meeting.speed);
   }
-  std::vector<Touch> group;
-  for (std::size_t k = 0; k < contacts.size(); ++k) {
+  std::vector<std::size_t> group;
+  for (std::size_t k = 0; k < meetings.size(); ++k) {
     const Meeting& meeting = meetings[k];
-    const bool ties = meeting.met > at_rest && meeting.speed >= fastest * (1.0 - tie);
-    if (ties || (with_resting && fastest > 0.0 && meeting.met >= -at_rest)) group.push_back(contacts[k]);
+    const bool ties = meeting.met > at_rest && meeting.speed >= fastest * (1.0 - tie) - noise;
+    if (ties || (with_resting && fastest > 0.0 && meeting.met >= -at_rest)) group.push_back(k);
   }
   return group;
 }
 
-// Goes on until no contact of a cluster approaches.
-template <class R, class F>
-void settle(const ContactResolver<R, F>& law, Motions& motions, const std::vector<Touch>& cluster, double duration,
-            Resolved& done) {
-  std::vector<Meeting> meetings = meetings_of(law, motions, cluster, duration);
-  const double at_rest = speed_of_rest(motions, cluster, fastest_met(meetings));
-  const auto contacts = static_cast<long>(cluster.size());
-  const long most_rounds = 10000 + 200 * contacts * contacts;
-  for (long round = 0; round < most_rounds; ++round) {
-    const std::vector<Touch> group = fastest_group(cluster, meetings, at_rest, law.holding);
-    if (group.empty()) return;
-    for (const std::vector<Touch>& part : connected(group, motions.inverse_mass)) {
-      resolve_part(law, motions, part, duration, done);
+std::string name_of(Eigen::Index body) { return body < 0 ? "a wall" : fmt::format("particle {}", body); }
+
+// Why a cluster does not come to rest: who is pressed from both sides, and by how much it has too little room.
+std::string pinched(const Motions& motions, const Cluster& cluster) {
+  const auto& contacts = cluster.contacts;
+  const Touch& worst = *std::max_element(contacts.begin(), contacts.end(), [&](const Touch& a, const Touch& b) {
+    return motions.approach(a) < motions.approach(b);
+  });
+  Eigen::Index body = -1, one = -1, other = -1;
+  double least = -0.5, overlap = 0.0;
+  for (const bool first : {true, false}) {
+    const Eigen::Index k = first ? worst.i : worst.j;
+    if (k < 0 || motions.inverse_mass[k] == 0.0) continue;
+    for (const Touch& touch : contacts) {
+      if (touch.i != k && touch.j != k) continue;
+      const double along = (touch.i == k) == first ? touch.n.dot(worst.n) : -touch.n.dot(worst.n);
+      if (along >= least) continue;
+      least = along, overlap = worst.depth + touch.depth;
+      body = k, one = first ? worst.j : worst.i, other = touch.i == k ? touch.j : touch.i;
     }
-    meetings = meetings_of(law, motions, cluster, duration);
   }
-  done.unsettled = fmt::format(
-      "after {} rounds of impulses some of {} contacts that hang together still approach, at up to {} m/s: take a "
-      "smaller step, so that fewer bodies touch at once, or less unequal masses",
-      most_rounds, contacts, fastest_met(meetings));
+  if (body < 0) return "take a smaller step, so that fewer bodies touch at once";
+  return fmt::format(
+      "particle {} is pinched between {} and {}, which it overlaps by {:.3g} m together: give it that much more room, "
+      "let impacts take energy (e < 1), or take less unequal masses where a light one is held between heavy ones",
+      body, name_of(one), name_of(other), overlap);
 }
 
-// Those of some clusters in which any two bodies approach.
-std::vector<std::vector<Touch>> approaching(const Motions& motions, std::vector<std::vector<Touch>> clusters) {
-  std::erase_if(clusters, [&](const std::vector<Touch>& cluster) {
-    return std::none_of(cluster.begin(), cluster.end(), [&](const Touch& t) { return motions.approach(t) > 0.0; });
-  });
-  return clusters;
+// Goes on until no contact of a cluster approaches: pushes, then friction, which may press others together.
+template <class R, class F>
+void settle(const ContactResolver<R, F>& law, Motions& motions, std::vector<Touch> contacts, double duration,
+            Resolved& done) {
+  const double noise = noise_of(motions, contacts);
+  if (contacts.size() == 1 && !law.holding) return resolve_each(law, motions, contacts, duration, noise, done);
+  std::vector<Meeting> meetings = meetings_of(law, motions, contacts, duration);
+  const double at_rest = std::max(rest * fastest_met(meetings), noise);
+  const auto n = static_cast<long>(contacts.size());
+  const long most_rounds = 10000 + 200 * n * n;
+  std::vector<Impulse> none(contacts.size());
+  Cluster cluster{.contacts = std::move(contacts), .impulses = std::move(none)};
+  std::vector<Action> actions;
+  int rubbed = 0;
+  for (long round = 0; round < most_rounds; ++round) {
+    const std::vector<std::size_t> group = fastest_group(meetings, at_rest, noise, law.holding);
+    if (group.empty()) return;
+    for (const std::vector<std::size_t>& part : connected(cluster.contacts, group, motions.inverse_mass)) {
+      push_apart(motions, cluster, part, meetings, actions);
+    }
+    meetings = meetings_of(law, motions, cluster.contacts, duration);
+    const bool rubs = std::is_same_v<F, Friction> && fastest_met(meetings) <= at_rest;
+    if (rubs && (++rubbed > most_frictions || !rub(law, motions, cluster, duration, actions, done))) {
+      done.unsettled = fmt::format(
+          "friction of {} contacts that hang together and their normal impulses do not come to agree, after deciding "
+          "{} "
+          "times which stick: take a smaller step, so that fewer bodies touch at once, or a smaller mu_s",
+          n, rubbed);
+      return;
+    }
+    book(law.recorder, motions, actions, done);
+    if (rubs) meetings = meetings_of(law, motions, cluster.contacts, duration);
+  }
+  done.unsettled = fmt::format(
+      "after {} rounds of impulses some of {} contacts that hang together still approach, at up to {} m/s; {}",
+      most_rounds, n, fastest_met(meetings), pinched(motions, cluster));
+}
+
+bool any_approaches(const Motions& motions, const std::vector<Touch>& cluster) {
+  return std::any_of(cluster.begin(), cluster.end(), [&](const Touch& t) { return motions.approach(t) > 0.0; });
+}
+
+// Whether any of its contacts is to be held.
+bool presses(const std::vector<Touch>& cluster) {
+  return std::any_of(cluster.begin(), cluster.end(), [](const Touch& t) { return t.parting > 0.0; });
 }
 
 }  // namespace
@@ -332,16 +434,18 @@ Resolved ContactResolver<RestitutionLaw, FrictionLaw>::operator()(const std::vec
                                                                   kinematics::VectorsOut velocity) const {
   Motions motions{.inverse_mass = inverse_mass, .velocity = velocity};
   Resolved done;
-  const std::vector<std::vector<Touch>> clusters = approaching(motions, connected(touching, inverse_mass));
   if (resolution == Resolution::summed) {
-    done = resolve_summed(*this, motions, touching, duration);
-  } else {
-    for (const std::vector<Touch>& cluster : clusters) settle(*this, motions, cluster, duration, done);
+    resolve_each(*this, motions, touching, duration, 0.0, done);
+    return done;
   }
+  std::vector<std::size_t> all(touching.size());
+  std::iota(all.begin(), all.end(), 0U);
   const ContactResolver<ConstantRestitution, FrictionLaw> holds{{0.0}, friction, resolution, recorder, true};
-  for (const std::vector<Touch>& cluster : clusters) {
-    const bool pressed = std::any_of(cluster.begin(), cluster.end(), [](const Touch& t) { return t.parting > 0.0; });
-    if (pressed && done.unsettled.empty()) settle(holds, motions, cluster, 0.5 * cluster.front().hold, done);
+  for (const std::vector<std::size_t>& part : connected(touching, all, inverse_mass)) {
+    const std::vector<Touch> cluster = chosen(touching, part);
+    if (!any_approaches(motions, cluster)) continue;
+    settle(*this, motions, cluster, duration, done);
+    if (done.unsettled.empty() && presses(cluster)) settle(holds, motions, cluster, 0.5 * cluster.front().hold, done);
   }
   return done;
 }

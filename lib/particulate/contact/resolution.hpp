@@ -32,7 +32,8 @@ struct Touch {
   double parting = 0.0;                                    ///< speed at which it parts at least if it is held [m/s]
 };
 
-/// One impact, as it was resolved.
+/// One impact, as it was resolved. Friction of contacts that were hit one after the other has a record of its own,
+/// without a push: it is decided when the last one is.
 struct ImpactRecord {
   Eigen::Index i = 0;                                    ///< one particle
   Eigen::Index j = -1;                                   ///< the other; negative: a wall
@@ -67,12 +68,17 @@ struct Resolved {
 ///
 /// with W the inverse mass matrix seen along the normals, contacts that would have to pull left out. So a symmetric hit
 /// stays symmetric and the order of numbering does not matter, beyond rounding. Without other forces the normal
-/// impulses of a group take the energy \f$ \tfrac12 (1 - e^2)\, u^T W^{-1} u \ge 0 \f$. Friction of a group is scaled
-/// back where it would stop more than there is, so it takes energy too. A cluster is settled when it approaches nowhere
-/// faster than 1e-13 of its first approach, or than the rounding of its velocities; it is given up after
-/// \f$ 10^4 + 200\,n^2 \f$ rounds of n contacts, which a light body pinched between bodies thousands of times as heavy
-/// needs, as it carries their momentum across in as many hits as that ratio, and which never suffice to an elastic body
-/// held between opposite walls. Two bodies that are both immovable exchange
+/// impulses of a group take the energy \f$ \tfrac12 (1 - e^2)\, u^T W^{-1} u \ge 0 \f$.
+///
+/// Once no pair approaches, tangential_impulses() decides the friction of all contacts of the cluster together that
+/// have pushed, equally fast or not, from the whole push of each and the slip that is left; it never gives energy.
+/// Where it presses a pair together, pushes follow, and friction is decided anew from the sums, until both agree, at
+/// most 1000 times. Contacts that only touch have no push, and so no friction.
+///
+/// A cluster is settled when it approaches nowhere faster than 1e-13 of its first approach, or than the rounding of its
+/// velocities; it is given up after \f$ 10^4 + 200\,n^2 \f$ rounds of n contacts, which a light body pinched between
+/// bodies thousands of times as heavy needs, as it carries their momentum across in as many hits as that ratio, and
+/// which never suffice to an elastic body held between opposite walls. Two bodies that are both immovable exchange
 /// nothing.
 ///
 /// Contacts that are to be held (Touch::hold) and rest take no part in that. Afterwards every cluster with an approach

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -88,7 +89,18 @@ Eigen::VectorXd inverse_masses(const Particles& particles) {
   return inverse;
 }
 
+void require_one_length(std::initializer_list<Eigen::Index> lengths) {
+  if (std::adjacent_find(lengths.begin(), lengths.end(), std::not_equal_to<>()) == lengths.end()) return;
+  throw std::invalid_argument(
+      fmt::format("arrays of particles must hold one entry a particle each, got {}", fmt::join(lengths, " and ")));
+}
+
 RelativeMotion relative_motion(const Particles& particles, Eigen::Index i, Eigen::Index j) {
+  for (const Eigen::Index k : {i, j}) {
+    if (k >= 0 && k < particles.size()) continue;
+    throw std::invalid_argument(
+        fmt::format("relative motion: a particle must be one of {}, counted from 0, got {}", particles.size(), k));
+  }
   return {.position = vector(particles.position, i) - vector(particles.position, j),
           .velocity = vector(particles.velocity, i) - vector(particles.velocity, j)};
 }

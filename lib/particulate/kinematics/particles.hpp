@@ -1,5 +1,6 @@
 #pragma once
 
+#include <initializer_list>
 #include <limits>
 #include <vector>
 
@@ -58,6 +59,13 @@ struct Particle {
 /// @throws std::invalid_argument naming the first particle of which something is not given, and as validate() does
 Particles particles(const std::vector<Particle>& list);
 
+/// Refuses arrays that belong to one set of particles and differ in length: read against each other they would give a
+/// number all the same.
+///
+/// @param lengths  entries of each array, one a particle [-]
+/// @throws std::invalid_argument naming the lengths
+void require_one_length(std::initializer_list<Eigen::Index> lengths);
+
 /// Inverse masses, zero for particles that are immovable.
 ///
 /// @param particles  the set
@@ -93,6 +101,7 @@ struct RelativeMotion {
 /// @param i          the particle that is seen, 0 <= i < N
 /// @param j          the particle that sees it, 0 <= j < N
 /// @return relative position and velocity
+/// @throws std::invalid_argument for a particle that is not there
 RelativeMotion relative_motion(const Particles& particles, Eigen::Index i, Eigen::Index j);
 
 }  // namespace particulate::kinematics

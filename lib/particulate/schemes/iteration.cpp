@@ -42,7 +42,7 @@ const Iteration& IterationMeasure::record(double change) {
   // What overflows may end as NaN: the last ratio still tells whether the sweeps were diverging.
   const double rate = it_.change > 0.0 ? change / it_.change : 0.0;
   if (!std::isnan(rate)) it_.rate = rate;
-  if (!(std::isfinite(change) && std::isfinite(w))) return no_value();
+  if (!(std::isfinite(change) && std::isfinite(w) && std::isfinite(denominator_))) return no_value();
   it_.K = waits_for_first() ? 0 : it_.K + 1;
   if (it_.K == 0) it_.w_0 = w;
   it_.w_K = w;
