@@ -58,7 +58,7 @@ function covered(page) {
     let edge;
     for (const x of [box.left + 1.5, (box.left + box.right) / 2, box.right - 1.5]) {
       const top = page.elementFromPoint(x, (box.top + box.bottom) / 2);
-      if (!top || owner.contains(top) || top.contains(owner)) continue;
+      if (!top || top.matches('area') || owner.contains(top) || top.contains(owner)) continue;
       edge = edge || window_of(owner);
       if (x > edge.left && x < edge.right) faults.add(`covered: ${named(owner)} by ${named(top)}`);
     }

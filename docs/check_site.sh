@@ -165,7 +165,7 @@ default_pages() {
   cd "$site"
   printf '%s\n' index.html chapters.html verification_guide.html equation_index.html map.html notation.html \
     provenance.html errata.html adding.html trust.html feature_matrix.html teeth.html assignments.html citelist.html
-  ls | grep -E '^(verify_)?(ch[0-9]{2}|app[A-Z])(_[a-z0-9_]+)?\.html$' | grep -v '_source' || true
+  ls | grep -E '^(verify_|assignment_)?(ch[0-9]{2}|app[A-Z])(_[a-z0-9_]+)?\.html$' | grep -v '_source' || true
 }
 
 # --- The check, checked ----------------------------------------------------------------------------------------------

@@ -33,8 +33,7 @@ struct Particles {
 ///
 /// @param particles  a start; no particle at all is allowed
 /// @throws std::invalid_argument if lengths differ, a position or velocity is not finite, a mass is not positive and
-/// finite, or
-///         a radius is negative or not finite
+///         finite, or a radius is negative or not finite
 void validate(const Particles& particles);
 
 /// Inverse masses, zero for particles that are immovable.
