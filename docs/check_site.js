@@ -9,11 +9,27 @@ const named = e => `${e.tagName.toLowerCase()}${e.id ? '#' + e.id : ''} '${short
 const scrolls = e => /auto|scroll/.test(getComputedStyle(e).overflowX);
 const is_shown = e => e.checkVisibility({ visibilityProperty: true, contentVisibilityAuto: true });
 
+// Where a box's owner can be seen at all: within every box around it that cuts or scrolls.
+function window_of(owner) {
+  const edge = { left: 0, right: Infinity };
+  for (let e = owner; e.parentElement; e = e.parentElement) {
+    if (getComputedStyle(e).overflowX === 'visible') continue;
+    const box = e.getBoundingClientRect();
+    edge.left = Math.max(edge.left, box.left);
+    edge.right = Math.min(edge.right, box.right);
+  }
+  return edge;
+}
+
 // What is wider than its box and cut there. On a phone tables, listings and formulas may scroll inside the page, but not
 // the page itself; at a desk nothing needs to.
 function cut_off(page, width) {
   const faults = [], root = page.documentElement, beyond = root.scrollWidth - root.clientWidth;
-  if (beyond > 1) faults.push(`scrolls sideways by ${beyond} px`);
+  if (beyond > 1) {
+    const wide = [...page.body.querySelectorAll('*')].filter(e => e.getBoundingClientRect().right > root.clientWidth + 1);
+    const free = wide.filter(e => window_of(e.parentElement).right === Infinity && is_shown(e));
+    faults.push(`scrolls sideways by ${beyond} px` + (free.length ? `: ${named(free[free.length - 1])}` : ''));
+  }
   for (const e of page.body.querySelectorAll('*')) {
     if (e.scrollWidth <= e.clientWidth + 1 || e.clientWidth === 0 || e.closest('svg, #nav-path, .sm-dox')) continue;
     if (getComputedStyle(e).overflowX === 'visible' || !is_shown(e)) continue;
@@ -36,18 +52,6 @@ function* seen(page) {
   for (const e of page.querySelectorAll('.contents svg, .contents img, .contents object')) {
     if (is_shown(e)) yield [e, e.getBoundingClientRect()];
   }
-}
-
-// Where a box's owner can be seen at all: within every box around it that cuts or scrolls.
-function window_of(owner) {
-  const edge = { left: 0, right: Infinity };
-  for (let e = owner; e.parentElement; e = e.parentElement) {
-    if (getComputedStyle(e).overflowX === 'visible') continue;
-    const box = e.getBoundingClientRect();
-    edge.left = Math.max(edge.left, box.left);
-    edge.right = Math.min(edge.right, box.right);
-  }
-  return edge;
 }
 
 // Words and drawings with something else on top of their beginning, middle or end.

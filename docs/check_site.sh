@@ -2,13 +2,14 @@
 # check_site.sh <html folder> [page.html]...   opens pages of the site in headless Chromium and says what is wrong
 # check_site.sh --self-test <html folder>      plants faults into a copy; each must be found
 #
-# Without pages it takes the start, the guides and indexes, then chapters and their verification, 40 at most.
+# Without pages it takes the start, the guides and indexes, then chapters, briefs and verification, and the
+# topics of the library, 60 at most.
 # Found: formulas not typeset or in error, references to no formula, dead links, anchors, images and objects, anything
 # loaded from beyond the disk, commands that nobody expanded; and, in windows 420 and 1280 px wide, pages that scroll
 # sideways, what is cut off or covered, figures that cannot be read (check_site.js). Exit status: 0 nothing found, 1 something found, 2 the check could not be made.
 set -euo pipefail
 
-most_pages=40
+most_pages=60
 here=$(cd "$(dirname "$0")" && pwd)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -165,7 +166,7 @@ default_pages() {
   cd "$site"
   printf '%s\n' index.html chapters.html verification_guide.html equation_index.html map.html notation.html \
     provenance.html errata.html adding.html trust.html feature_matrix.html teeth.html assignments.html citelist.html
-  ls | grep -E '^(verify_|assignment_)?(ch[0-9]{2}|app[A-Z])(_[a-z0-9_]+)?\.html$' | grep -v '_source' || true
+  ls | grep -E '^namespaceparticulate_1_1[a-z]+\.html$|^(verify_|assignment_)?(ch[0-9]{2}|app[A-Z])(_[a-z0-9_]+)?\.html$' | grep -v '_source' || true
 }
 
 # --- The check, checked ----------------------------------------------------------------------------------------------

@@ -148,6 +148,24 @@ std::string equation_link(const std::string& equation) {
 // Longer ones are curves: figures show them.
 constexpr std::size_t longest_table = 100;
 
+// "ch01: potential_slope, near_field_pairs; ch02: no_pull": each case a link to its rows.
+std::string linked_cases(const std::string& cases) {
+  if (const std::size_t group = cases.find("; "); group != std::string::npos) {
+    return linked_cases(cases.substr(0, group)) + "; " + linked_cases(cases.substr(group + 2));
+  }
+  const std::size_t colon = cases.find(": ");
+  if (colon == std::string::npos) return escaped(cases);
+  const std::string chapter = cases.substr(0, colon);
+  Strings links;
+  for (std::size_t from = colon + 2; from < cases.size();) {
+    const std::size_t end = std::min(cases.find(", ", from), cases.size());
+    links.push_back(fmt::format("<a href=\"verify_{0}.html#verify_{0}_{1}\">{1}</a>", escaped(chapter),
+                                escaped(cases.substr(from, end - from))));
+    from = end + 2;
+  }
+  return fmt::format("{}", fmt::join(links, ", "));
+}
+
 void write_tables(const fs::path& data, const std::string& prefix, const fs::path& out) {
   for (const fs::directory_entry& entry : fs::directory_iterator(data)) {
     if (entry.path().extension() != ".csv") continue;
@@ -156,7 +174,10 @@ void write_tables(const fs::path& data, const std::string& prefix, const fs::pat
     HtmlTable table{.columns = csv.columns()};
     for (std::size_t i = 0; i < csv.size(); ++i) {
       Strings cells;
-      for (const std::string& field : csv.row(i)) cells.push_back(rounded(field, 6));
+      for (std::size_t k = 0; k < csv.columns().size(); ++k) {
+        const std::string& field = csv.row(i).at(k);
+        cells.push_back(csv.columns()[k] == "caught by" ? linked_cases(field) : rounded(field, 6));
+      }
       table.rows.push_back(cells);
     }
     const fs::path shown = out / fmt::format("{}_{}.html", prefix, entry.path().stem().string());
