@@ -276,7 +276,7 @@ bool is_bound(const std::string& metric) {
 
 // Every claim with its verdict, each leading to its rows: the page's table of contents.
 std::string claims_table(const Csv& rows) {
-  HtmlTable table{.columns = {"Claim", "Equation", "Checked against", "Rows", "Fail", "Case"}};
+  HtmlTable table{.columns = {"Claim", "In the monograph", "Checked against", "Rows", "Fail", "Case"}};
   for (const Case& c : cases_of(rows)) {
     const std::size_t first = c.rows.front();
     const auto failed = std::count_if(c.rows.begin(), c.rows.end(), [&](std::size_t i) { return fails(rows, i); });
@@ -298,7 +298,7 @@ std::string claim_section(const Csv& rows, const Case& c) {
   const std::size_t first = c.rows.front();
   std::string out = fmt::format("### {0} {{#verify_{1}_{0}}}\n", c.name, rows.at(first, "chapter"));
   out +=
-      block(fmt::format("<p>{}.</p><p class=\"facts\">Equation {} &middot; checked against: {} &middot; {} run</p>\n",
+      block(fmt::format("<p>{}.</p><p class=\"facts\">In the monograph: {} &middot; checked against: {} &middot; {} run</p>\n",
                         escaped(rows.at(first, "claim")), equation_link(rows.at(first, "equation")),
                         escaped(rows.at(first, "reference")), escaped(rows.at(first, "run"))));
   HtmlTable claimed{.columns = {"Quantity", "Expected", "Computed", "Error", "Tolerance", "Because", "Verdict"}};
