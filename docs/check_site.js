@@ -123,6 +123,7 @@ function open_frame(address, width) {
 async function look_at(name) {
   const frame = await open_frame(site + '/' + name, widths[0]);
   const page = frame.contentDocument;
+  for (const folded of page.querySelectorAll('details')) folded.open = true;
   const found = [...restarted(page)];
   for (const width of widths) {
     frame.style.width = width + 'px';

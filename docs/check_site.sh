@@ -2,11 +2,12 @@
 # check_site.sh <html folder> [page.html]...   opens pages of the site in headless Chromium and says what is wrong
 # check_site.sh --self-test <html folder>      plants faults into a copy; each must be found
 #
-# Without pages it takes the start, the guides and indexes, then chapters, briefs and verification, and the
-# topics of the library, 60 at most.
+# Without pages it takes the start, the guides and indexes, then chapters, briefs, verification and the topics of the
+# library, 60 at most.
 # Found: formulas not typeset or in error, references to no formula, dead links, anchors, images and objects, anything
 # loaded from beyond the disk, commands that nobody expanded; and, in windows 420 and 1280 px wide, pages that scroll
-# sideways, what is cut off or covered, figures that cannot be read (check_site.js). Exit status: 0 nothing found, 1 something found, 2 the check could not be made.
+# sideways, what is cut off or covered, figures that cannot be read, lists that begin again (check_site.js).
+# Exit status: 0 nothing found, 1 something found, 2 the check could not be made.
 set -euo pipefail
 
 most_pages=60
@@ -37,8 +38,10 @@ open_pages() {
     { cat "$work/chatter" >&2; stop "Chromium could not open the pages"; }
   sed 's/^.*<pre id="said">//; s/&amp;/\&/g; s/&lt;/</g; s/&gt;/>/g' "$work/said" >"$work/lines"
   grep '^fault' "$work/lines" >"$work/faults.tsv" || true
-  local kind page document
-  while IFS=$'\t' read -r kind page document; do base64 -d <<<"$document" >"$work/$page.dom"; done < <(grep '^page' "$work/lines")
+  local page document
+  while IFS=$'\t' read -r _ page document; do
+    base64 -d <<<"$document" >"$work/$page.dom"
+  done < <(grep '^page' "$work/lines")
   for page in "$@"; do
     grep -q '</html>' "$work/$page.dom" || stop "Chromium returned no document for $page: $(grep '^broken' "$work/lines" | head -n 1)"
   done
@@ -211,6 +214,7 @@ SVG
     'px of div#hides' '<div id="hides" style="overflow: hidden; width: 9em; white-space: nowrap">only the beginning of this</div>' \
     'at 1280 px cut off' '<div class="scroll"><table><tr><td style="min-width: 2000px">a wide table</td></tr></table></div>' \
     "covered: span 'a number'" '<span>a number</span><span style="margin-left: -9em; background: red">and a box upon it, as wide</span>' \
+    'of div#folded' '<details><summary>more</summary><div id="folded" style="overflow: hidden; width: 9em; white-space: nowrap">only the beginning of this</div></details>' \
     "planted.svg: 'upon' lies on 'under'" '<object type="image/svg+xml" data="planted.svg"></object>' \
     "planted.svg: cut off, 'beyond'" '' 'planted.svg: letters of' '' \
     'a list begins again at 1' '<ol><li>one</li></ol><pre>x</pre><ol><li>two</li></ol>' \

@@ -297,10 +297,10 @@ bool is_about_measuring(const Case& c, const std::string& quantity) {
 std::string claim_section(const Csv& rows, const Case& c) {
   const std::size_t first = c.rows.front();
   std::string out = fmt::format("### {0} {{#verify_{1}_{0}}}\n", c.name, rows.at(first, "chapter"));
-  out +=
-      block(fmt::format("<p>{}.</p><p class=\"facts\">In the monograph: {} &middot; checked against: {} &middot; {} run</p>\n",
-                        escaped(rows.at(first, "claim")), equation_link(rows.at(first, "equation")),
-                        escaped(rows.at(first, "reference")), escaped(rows.at(first, "run"))));
+  out += block(fmt::format(
+      "<p>{}.</p><p class=\"facts\">In the monograph: {} &middot; checked against: {} &middot; {} run</p>\n",
+      escaped(rows.at(first, "claim")), equation_link(rows.at(first, "equation")), escaped(rows.at(first, "reference")),
+      escaped(rows.at(first, "run"))));
   HtmlTable claimed{.columns = {"Quantity", "Expected", "Computed", "Error", "Tolerance", "Because", "Verdict"}};
   HtmlTable measuring = claimed;
   for (const std::size_t i : c.rows) {
