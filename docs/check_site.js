@@ -26,8 +26,9 @@ function window_of(owner) {
 function cut_off(page, width) {
   const faults = [], root = page.documentElement, beyond = root.scrollWidth - root.clientWidth;
   if (beyond > 1) {
-    const wide = [...page.body.querySelectorAll('*')].filter(e => e.getBoundingClientRect().right > root.clientWidth + 1);
-    const free = wide.filter(e => window_of(e.parentElement).right === Infinity && is_shown(e));
+    const is_wide = e => e.getBoundingClientRect().right > root.clientWidth + 1 && is_shown(e);
+    const free = [...page.body.querySelectorAll('*')].filter(
+        e => is_wide(e) && window_of(e.parentElement).right === Infinity);
     faults.push(`scrolls sideways by ${beyond} px` + (free.length ? `: ${named(free[free.length - 1])}` : ''));
   }
   for (const e of page.body.querySelectorAll('*')) {
@@ -39,13 +40,14 @@ function cut_off(page, width) {
   return faults;
 }
 
-// The rectangles of a page's words and drawings.
+// The rectangles of a page's words and drawings. Menus that open by themselves come and go.
+const unseen = 'script, style, svg, div.line, pre, #main-menu ul';
 function* seen(page) {
   const walker = page.createTreeWalker(page.body, NodeFilter.SHOW_TEXT);
   const range = page.createRange();
   while (walker.nextNode()) {
     const owner = walker.currentNode.parentElement;
-    if (!walker.currentNode.data.trim() || owner.closest('script, style, svg, div.line, pre') || !is_shown(owner)) continue;
+    if (!walker.currentNode.data.trim() || owner.closest(unseen) || !is_shown(owner)) continue;
     range.selectNodeContents(walker.currentNode);
     for (const box of range.getClientRects()) yield [owner, box];
   }
@@ -98,7 +100,8 @@ function unreadable(page) {
       const beyond = left < -1 || top < -1 || right > frame.width + 1 || bottom > frame.height + 1;
       if (beyond) faults.push(`${name}: cut off, '${short(letters[i].textContent)}'`);
     }
-    const sizes = letters.map(t => parseFloat(getComputedStyle(t).fontSize) * Math.abs(Math.hypot(t.getScreenCTM().a, t.getScreenCTM().b)));
+    const scale = t => Math.hypot(t.getScreenCTM().a, t.getScreenCTM().b);
+    const sizes = letters.map(t => parseFloat(getComputedStyle(t).fontSize) * scale(t));
     const least = Math.min(...sizes);
     if (least < smallest_letters) faults.push(`${name}: letters of ${least.toFixed(1)} px`);
   }
@@ -129,7 +132,8 @@ async function look_at(name) {
     frame.style.width = width + 'px';
     frame.style.height = page.documentElement.scrollHeight + 100 + 'px';
     await new Promise(done => setTimeout(done, 50));
-    for (const fault of [...cut_off(page, width), ...covered(page), ...unreadable(page)]) found.push(`at ${width} px ${fault}`);
+    const faults = [...cut_off(page, width), ...covered(page), ...unreadable(page)];
+    found.push(...faults.map(fault => `at ${width} px ${fault}`));
   }
   const bytes = new TextEncoder().encode(page.documentElement.outerHTML);
   let text = '';
