@@ -30,10 +30,13 @@ refuses() {
 
 # --- literate.awk ----------------------------------------------------------------------------------------------------
 literate() { awk -f "$docs/literate.awk" "$@"; }
-printf '%s\n' '//! @page a A' '' 'int f();' '' '  //! Indented.' '' 'int g();' >good.cpp
+printf '%s\n' '//! @page a A' '' '#include <a>' '' '#include <b>' '' 'int f();' '' '  //! Indented.' '' 'int g();' >good.cpp
 literate good.cpp >good.out
-printf '%s\n' '//! @page a A' '//! @code{.cpp}' '//! int f();' '//! @endcode' '//! Indented.' '//! @code{.cpp}' \
-  '//! int g();' '//! @endcode' | diff - good.out || complain 'literate.awk must turn blank lines into fences'
+printf '%s\n' '//! @page a A' \
+  '//! @htmlonly[block]<details><summary>What it includes</summary>@endhtmlonly @code{.cpp}' '//! #include <a>' '//!' \
+  '//! #include <b>' '//! @endcode @htmlonly[block]</details>@endhtmlonly @code{.cpp}' '//! int f();' '//! @endcode' \
+  '//! Indented.' '//! @code{.cpp}' '//! int g();' '//! @endcode' '//!' '//! @htmlinclude a_onward.html' |
+  diff - good.out || complain 'literate.awk must turn blank lines into fences, fold includes, and end with what comes next'
 printf '%s\n' '//! @page a A' 'int f();' >bad.cpp
 refuses 2 'bad.cpp:2: literate: blank line needed before code' literate bad.cpp
 printf '%s\n' '//! @page a A' '' 'int f();' '//! prose' >bad.cpp
@@ -42,6 +45,28 @@ printf '%s\n' 'int f();' >bad.cpp
 refuses 2 'literate: blank line needed before code' literate bad.cpp
 printf '%s\n' '//! prose' >bad.cpp
 refuses 2 'no @page' literate bad.cpp
+
+# --- chapters.awk ----------------------------------------------------------------------------------------------------
+chapters() { awk -f "$docs/chapters.awk" -v briefs=ch01 -v verified=ch01 -v out=. -v list=chapters.md "$@"; }
+printf '//! %s\n' '@page ch01_b B' '@brief The second.' >ch01_b.cpp
+printf '//! %s\n' '@page ch01_a A' '@brief The first.' 'See @subpage ch01_c, @subpage ch01_b.' '@section s S' \
+  '@figure{ch01_f, One\, two < three.}' '@figure{ch01_g, Another.}' >ch01_a.cpp
+printf '//! %s\n' '@page ch01_c C' '@brief The third.' >ch01_c.cpp
+printf '%s\n' before '@chapter_list@' after >chapters.md.in
+chapters ch01_*.cpp chapters.md.in
+printf '%s\n' before '- @subpage ch01_a : The first. What it claims is @ref verify_ch01 "verified". Its @ref assignment_ch01 "assignment" grades itself.' \
+  '  - @ref ch01_c : The third.' '  - @ref ch01_b : The second.' after | diff - chapters.md ||
+  complain 'chapters.awk must list pages in the order in which they name one another'
+holds gallery.html '<a href="ch01_a.html#s"><img src="ch01_f.svg"' 'One, two &lt; three.'
+lacks gallery.html ch01_g
+holds ch01_a_onward.html '<a href="ch01_c.html">C</a>' 'assignment_ch01.html' 'verify_ch01.html'
+lacks ch01_b_onward.html Next
+sed -i 2d ch01_b.cpp
+refuses 2 'ch01_b has no @brief' chapters ch01_*.cpp chapters.md.in
+mkdir -p ch01_a/assignment
+printf '%s\n' '# Do it' 'See [the chapter](../ch01_a.cpp).' >ch01_a/assignment/README.md
+awk -f "$docs/brief.awk" ch01_a/assignment/README.md >brief.out
+printf '%s\n' '# Do it {#assignment_ch01}' 'See @ref ch01_a.' | diff - brief.out || complain 'brief.awk must make a page of a brief'
 
 # --- equations.awk ---------------------------------------------------------------------------------------------------
 equations() { awk -f "$docs/equations.awk" "$@"; }
@@ -77,7 +102,7 @@ cat >expected <<'H'
 | D section 1.4.3 |  | @ref particulate::topic::Law::at "topic::Law::at" |
 | M about (2.3) |  | @ref particulate::topic::add_force "topic::add_force" |
 | M (2.15) | \f$ \begin{aligned} & \Vert x\Vert  = 2, \\ & y = 3 \end{aligned} \f$ | @ref particulate::topic::Law "topic::Law" |
-| R section 2.4.2 |  | @ref particulate::topic::Law::e "topic::Law::e" |
+| R section 2.4.2 | restitution | @ref particulate::topic::Law::e "topic::Law::e" |
 H
 diff expected index || complain 'equations.awk must list six equations, equations before sections, in the order of their numbers'
 holds page '## Chapter 2 {#equations_2}' 'The program: @ref ch01_fundamentals.' '@ref map_2 "map"'
@@ -115,10 +140,12 @@ refuses 2 'not an SVG that gnuplot finished' awk -v out="$work/bad" -f "$docs/sv
 mkdir -p run tables pages work
 printf 'name,value [m]\r\n"a, ""b"" <c>\n@d",0.30000000000000004\r\nnone,nan\r\n' >run/short.csv
 { echo n && seq 101; } >run/long.csv
+printf 'what,caught by\nsign,"ch01: period, race; ch02: x"\n' >run/caught.csv
 echo 'alpha1 = 0.5' >run/parameters.toml
 "$guide" tables run ch01 tables
 holds tables/ch01_short.html 'a, &quot;b&quot; &lt;c&gt;' '&#64;d' '<td class="number">0.3</td>' '<th class="number">value [m]</th>'
 holds tables/ch01_parameters.toml 'alpha1 = 0.5'
+holds tables/ch01_caught.html '<a href="verify_ch01.html#verify_ch01_period">period</a>, <a href="verify_ch01.html#verify_ch01_race">race</a>; <a href="verify_ch02.html#verify_ch02_x">'
 [ ! -e tables/ch01_long.html ] || complain 'a table of 101 rows is a curve and must not become a page'
 refuses 2 'guide:' "$guide" tables nosuch ch01 tables
 touch run/unfinished.txt

@@ -9,35 +9,6 @@ const named = e => `${e.tagName.toLowerCase()}${e.id ? '#' + e.id : ''} '${short
 const scrolls = e => /auto|scroll/.test(getComputedStyle(e).overflowX);
 const is_shown = e => e.checkVisibility({ visibilityProperty: true, contentVisibilityAuto: true });
 
-// What is wider than its box and cut there. On a phone tables, listings and formulas may scroll inside the page, but not
-// the page itself; at a desk nothing needs to.
-function cut_off(page, width) {
-  const faults = [], root = page.documentElement, beyond = root.scrollWidth - root.clientWidth;
-  if (beyond > 1) faults.push(`scrolls sideways by ${beyond} px`);
-  for (const e of page.body.querySelectorAll('*')) {
-    if (e.scrollWidth <= e.clientWidth + 1 || e.clientWidth === 0 || e.closest('svg, #nav-path, .sm-dox')) continue;
-    if (getComputedStyle(e).overflowX === 'visible' || !is_shown(e)) continue;
-    const by_itself = scrolls(e) && !e.matches('.contents, body');
-    if (width > 1000 || !by_itself) faults.push(`cut off, ${e.scrollWidth - e.clientWidth} px of ${named(e)}`);
-  }
-  return faults;
-}
-
-// The rectangles of a page's words and drawings.
-function* seen(page) {
-  const walker = page.createTreeWalker(page.body, NodeFilter.SHOW_TEXT);
-  const range = page.createRange();
-  while (walker.nextNode()) {
-    const owner = walker.currentNode.parentElement;
-    if (!walker.currentNode.data.trim() || owner.closest('script, style, svg, div.line, pre') || !is_shown(owner)) continue;
-    range.selectNodeContents(walker.currentNode);
-    for (const box of range.getClientRects()) yield [owner, box];
-  }
-  for (const e of page.querySelectorAll('.contents svg, .contents img, .contents object')) {
-    if (is_shown(e)) yield [e, e.getBoundingClientRect()];
-  }
-}
-
 // Where a box's owner can be seen at all: within every box around it that cuts or scrolls.
 function window_of(owner) {
   const edge = { left: 0, right: Infinity };
@@ -50,6 +21,41 @@ function window_of(owner) {
   return edge;
 }
 
+// What is wider than its box and cut there. On a phone tables, listings and formulas may scroll inside the page, but not
+// the page itself; at a desk nothing needs to.
+function cut_off(page, width) {
+  const faults = [], root = page.documentElement, beyond = root.scrollWidth - root.clientWidth;
+  if (beyond > 1) {
+    const is_wide = e => e.getBoundingClientRect().right > root.clientWidth + 1 && is_shown(e);
+    const free = [...page.body.querySelectorAll('*')].filter(
+        e => is_wide(e) && window_of(e.parentElement).right === Infinity);
+    faults.push(`scrolls sideways by ${beyond} px` + (free.length ? `: ${named(free[free.length - 1])}` : ''));
+  }
+  for (const e of page.body.querySelectorAll('*')) {
+    if (e.scrollWidth <= e.clientWidth + 1 || e.clientWidth === 0 || e.closest('svg, #nav-path, .sm-dox')) continue;
+    if (getComputedStyle(e).overflowX === 'visible' || !is_shown(e)) continue;
+    const by_itself = scrolls(e) && !e.matches('.contents, body');
+    if (width > 1000 || !by_itself) faults.push(`cut off, ${e.scrollWidth - e.clientWidth} px of ${named(e)}`);
+  }
+  return faults;
+}
+
+// The rectangles of a page's words and drawings. Menus that open by themselves come and go.
+const unseen = 'script, style, svg, div.line, pre, #main-menu ul';
+function* seen(page) {
+  const walker = page.createTreeWalker(page.body, NodeFilter.SHOW_TEXT);
+  const range = page.createRange();
+  while (walker.nextNode()) {
+    const owner = walker.currentNode.parentElement;
+    if (!walker.currentNode.data.trim() || owner.closest(unseen) || !is_shown(owner)) continue;
+    range.selectNodeContents(walker.currentNode);
+    for (const box of range.getClientRects()) yield [owner, box];
+  }
+  for (const e of page.querySelectorAll('.contents svg, .contents img, .contents object')) {
+    if (is_shown(e)) yield [e, e.getBoundingClientRect()];
+  }
+}
+
 // Words and drawings with something else on top of their beginning, middle or end.
 function covered(page) {
   const faults = new Set();
@@ -58,7 +64,7 @@ function covered(page) {
     let edge;
     for (const x of [box.left + 1.5, (box.left + box.right) / 2, box.right - 1.5]) {
       const top = page.elementFromPoint(x, (box.top + box.bottom) / 2);
-      if (!top || owner.contains(top) || top.contains(owner)) continue;
+      if (!top || top.matches('area') || owner.contains(top) || top.contains(owner)) continue;
       edge = edge || window_of(owner);
       if (x > edge.left && x < edge.right) faults.add(`covered: ${named(owner)} by ${named(top)}`);
     }
@@ -94,7 +100,8 @@ function unreadable(page) {
       const beyond = left < -1 || top < -1 || right > frame.width + 1 || bottom > frame.height + 1;
       if (beyond) faults.push(`${name}: cut off, '${short(letters[i].textContent)}'`);
     }
-    const sizes = letters.map(t => parseFloat(getComputedStyle(t).fontSize) * Math.abs(Math.hypot(t.getScreenCTM().a, t.getScreenCTM().b)));
+    const scale = t => Math.hypot(t.getScreenCTM().a, t.getScreenCTM().b);
+    const sizes = letters.map(t => parseFloat(getComputedStyle(t).fontSize) * scale(t));
     const least = Math.min(...sizes);
     if (least < smallest_letters) faults.push(`${name}: letters of ${least.toFixed(1)} px`);
   }
@@ -119,12 +126,14 @@ function open_frame(address, width) {
 async function look_at(name) {
   const frame = await open_frame(site + '/' + name, widths[0]);
   const page = frame.contentDocument;
+  for (const folded of page.querySelectorAll('details')) folded.open = true;
   const found = [...restarted(page)];
   for (const width of widths) {
     frame.style.width = width + 'px';
     frame.style.height = page.documentElement.scrollHeight + 100 + 'px';
     await new Promise(done => setTimeout(done, 50));
-    for (const fault of [...cut_off(page, width), ...covered(page), ...unreadable(page)]) found.push(`at ${width} px ${fault}`);
+    const faults = [...cut_off(page, width), ...covered(page), ...unreadable(page)];
+    found.push(...faults.map(fault => `at ${width} px ${fault}`));
   }
   const bytes = new TextEncoder().encode(page.documentElement.outerHTML);
   let text = '';

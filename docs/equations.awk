@@ -148,15 +148,23 @@ function declared_name(text) {
 function formula_of(text, from, to, parts, n, k) {
   from = index(text, "\\f["); to = index(text, "\\f]")
   if (from) text = substr(text, from + 3, to - from - 3)
-  else if (match(text, /\\f\$[^$]*=[^$]*\\f\$/)) {
-    text = substr(text, RSTART, RLENGTH)
-    sub(/^.*\\f\$ /, "", text); sub(/\\f\$$/, "", text)
-  } else return ""
+  else {
+    n = split(text, parts, /\\f\$/)
+    for (k = 2; k <= n && parts[k] !~ /=/; k += 2) continue
+    if (k > n) return ""
+    text = parts[k] " "
+  }
   gsub(/[ \t]+/, " ", text); sub(/^ /, "", text); sub(/[,.;]? $/, "", text)
   gsub(/\\\|/, "\\Vert ", text); gsub(/\|/, "\\vert ", text)
 n = split(text, parts, / ?\\qquad ?(\\text\{and\} ?\\qquad)?/)
   for (k = 2; k <= n; ++k) parts[1] = parts[1] " \\\\ & " parts[k]
   return "\\f$ \\begin{aligned} & " parts[1] " \\end{aligned} \\f$"
+}
+
+# The first sentence, for what has no formula.
+function words_of(text) {
+  sub(/^(\/\/\/<)? /, "", text); sub(/ *[@\\][a-z].*/, "", text); sub(/\. .*/, "", text); gsub(/\|/, "", text)
+  return text
 }
 
 # A declaration is complete: it takes the equations that were waiting for it.
@@ -167,7 +175,7 @@ function settle(name, path, d, n, list, k) {
   for (d = 1; d <= depth; ++d) if (scope[d] != "") path = path scope[d] "::"
   n = split(pending, list, "|")
   for (k = 1; k < n; ++k) {
-    ++rows; number[rows] = list[k]; name_of[rows] = path name; formula[rows] = formula_of(comment); key[rows] = order(list[k])
+    ++rows; number[rows] = list[k]; name_of[rows] = path name; formula[rows] = formula_of(comment); words[rows] = words_of(comment); key[rows] = order(list[k])
   }
   pending = ""
 }
@@ -211,7 +219,7 @@ function table(i, k, n, line, where, seen, chapter, link) {
     n = 0; split("", line); split("", where); split("", seen)
     for (k = i; k <= rows && number[k] == number[i]; ++k)
       if (formula[k] != "" && !(formula[k] in where)) { line[++n] = formula[k]; where[formula[k]] = "" }
-    if (n == 0) line[++n] = ""
+    if (n == 0) line[++n] = words[i]
     for (k = i; k <= rows && number[k] == number[i]; ++k) {
       link = sprintf("@ref %s \"%s\"", name_of[k], short_name(name_of[k]))
       if (formula[k] == "") formula[k] = line[1]
@@ -231,13 +239,12 @@ END {
   if (rows == 0) { print "equations: no @equation{...} in any header given" > "/dev/stderr"; exit 2 }
   for (i = 2; i <= rows; ++i)
     for (j = i; j > 1 && key[j - 1] > key[j]; --j) {
-      swap(key, j - 1, j); swap(number, j - 1, j); swap(name_of, j - 1, j); swap(formula, j - 1, j)
+      swap(key, j - 1, j); swap(number, j - 1, j); swap(name_of, j - 1, j); swap(formula, j - 1, j); swap(words, j - 1, j)
     }
   print "# Equation index {#equation_index}\n"
   print "Every numbered statement of the monograph that the library holds, in the order of the numbers, with the formula as the"
   print "function that holds it gives it. A number in brackets is that of an equation, any other that of a section. The letter"
-  print "says where the formula comes from, told in full under @ref provenance: **M** stated in the monograph, **D** derived"
-  print "here from that equation or section, **R** reconstructed; *about* marks a number that we could not read and infer from"
-  print "the order.\n"
+  print "says where the formula comes from: **M** is stated in the monograph, **D** derived here from that equation or section,"
+  print "**R** reconstructed (@ref provenance). *About* marks a number that we could not read and infer from the order.\n"
   table()
 }

@@ -130,6 +130,15 @@ kinematics::Particles cloud_of(int side, std::uint64_t seed) {
   return cloud;
 }
 
+// Where the spheres are, and how fast each moves about the centre of them all.
+void add_places(report::Table& places, const schemes::State& state, Eigen::Index count) {
+  const kinematics::Vectors r = state.r.reshaped(count, 3), v = state.v.reshaped(count, 3);
+  const Eigen::RowVector3d bulk = v.colwise().mean();
+  for (Eigen::Index i = 0; i < count; ++i) {
+    places.add({state.t, r(i, 0), r(i, 1), r(i, 2), (v.row(i) - bulk).norm()});
+  }
+}
+
 //! What a run claims is kept in one table, a particulate::report::Checks, with the error that was seen and the error
 //! that is allowed. Comparisons are written so that a NaN fails them.
 
@@ -448,6 +457,7 @@ void run(const Parameters& p, report::Chapter& chapter) {
   schemes::FixedStep control{.step = (chapter.common().quick ? 2.0 : 1.0) * p.step};
   report::Table ledger(
       {"time [s]", "bulk [J]", "relative [J]", "potential [J]", "dissipated [J]", "total [J]", "impacts"});
+  report::Table places({"time [s]", "x [m]", "y [m]", "z [m]", "speed about the centre [m/s]"});
   report::Progress progress("cloud", p.duration);
   double dissipated = 0.0, drift = 0.0, overlap = 0.0, total_before = 0.0, restored = 0.0;
   long impacts = 0;
@@ -466,10 +476,12 @@ void run(const Parameters& p, report::Chapter& chapter) {
     drift = std::max(drift, std::abs(total - total_before));
     ledger.add(
         {state.t, total_mass * kinetic.bulk, total_mass * kinetic.relative, potential, dissipated, total, impacts});
+    if (k % 75 == 0) add_places(places, state, cloud.size());
     progress.at(state.t);
   }
   progress.wipe();
   output.write("ledger", ledger);
+  output.write("places", places);
   report::Table summary({"quantity", "value"});
   summary.add({"spheres", static_cast<double>(cloud.size())});
   summary.add({"impacts", static_cast<double>(impacts)});
@@ -489,6 +501,8 @@ void run(const Parameters& p, report::Chapter& chapter) {
 
 }  // namespace
 
+//! @figure{ch02_places, The cloud at the start\, half-way and at the end\, seen along z. Colour: speed about the centre of them all.}
+//!
 //! @figure{ch02_ledger, A colliding cloud. Above: energy of its bulk and relative motion\, potential since the start\, what impacts took\, and the sum. Below: impacts so far.}
 //!
 //! @table{ch02_summary}

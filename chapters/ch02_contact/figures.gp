@@ -110,3 +110,35 @@ set format y '10^{%L}'
 unset key
 plot file('ledger') skip 1 using 1:($7 > 0 ? $7 : NaN) with lines lt 2
 unset multiplot
+
+# Spheres in their true size, those in front drawn last: where the cloud's centre is, it is drawn in the middle of a panel.
+set terminal svg size 640,250 dynamic enhanced font 'sans-serif,16' background '#ffffff' rounded
+set output 'ch02_places.svg'
+reset_margins = "set lmargin -1; set origin 0,0; set size 1,1"
+@reset_margins
+set bmargin 0
+set tmargin 1
+stats file('places') skip 1 using 1 name 'moment' nooutput
+stats file('places') skip 1 using 3 name 'y' nooutput
+at(k) = abs(column(1) - 0.5*k*moment_max) < 1e-9
+do for [k = 0:2] { stats file('places') skip 1 using (at(k) ? column(2) : NaN) name sprintf('x%d', k) nooutput }
+unset logscale
+unset border
+unset tics
+unset grid
+unset xlabel
+unset ylabel
+unset key
+set size ratio -1
+set cbrange [0:*]
+set cblabel 'speed [m/s]'
+set cbtics format '%g'
+do for [k = 0:2] {
+  set label k+1 sprintf('%.2g s', 0.5*k*moment_max) at 0.9*k, y_mean-0.48 center
+}
+x(k) = column(2) - (k == 0 ? x0_mean : k == 1 ? x1_mean : x2_mean) + 0.9*k
+set xrange [-0.45:2.25]
+set yrange [y_mean-0.54:y_max+0.07]
+behind_first = "< tail -n +2 '".file('places')."' | sort -t, -k4 -g"
+set style fill solid 1.0 border rgb 'black'
+plot for [k = 0:2] behind_first using (at(k) ? x(k) : NaN):3:(0.05):5 with circles lc palette lw 0.6

@@ -35,8 +35,7 @@ struct Particles {
 ///
 /// @param particles  a start; no particle at all is allowed
 /// @throws std::invalid_argument if lengths differ, a position or velocity is not finite, a mass is not positive and
-/// finite, or
-///         a radius is negative or not finite
+///         finite, or a radius is negative or not finite
 void validate(const Particles& particles);
 
 /// One particle of a list. What it must be given is no number until it is; what is left out of the rest does nothing.

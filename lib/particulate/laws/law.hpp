@@ -45,11 +45,12 @@ class Scratch {
   std::vector<Line> lines_;
 };
 
-struct Velocity;     ///< names a part of a moment: velocities, and inverse masses
-struct Temperature;  ///< names a part of a moment: temperatures
+struct Velocity;
+struct Temperature;
 
-/// What a law sees of a moment: time, places, masses and radii, and the parts that it names. Nothing is copied. A view
-/// with more parts converts to one with fewer.
+/// What a law sees of a moment: time, places, masses and radii, and the parts that it names: `Velocity`, the velocities
+/// and inverse masses, `Temperature`, the temperatures. Nothing is copied. A view with more parts converts to one with
+/// fewer.
 template <class... Parts>
 struct At;
 

@@ -68,8 +68,7 @@ class Table {
   /// @return the table with the quotes of RFC 4180, every line ended by LF; numbers by their shortest exact digits
   std::string csv() const;
   /// @return a JSON array with one object a row, keys in the order of the columns; numbers that JSON does not know
-  /// (nan,
-  ///         inf, -inf) stand as strings, missing entries as null
+  ///         (nan, inf, -inf) stand as strings, missing entries as null
   std::string json() const;
   /// @return aligned columns under their headers for a terminal: numbers to the right, texts to the left
   std::string text() const;
@@ -86,8 +85,7 @@ class Table {
 /// @param origin   its name, for messages
 /// @return the lines, the header first, each as many fields long as the header
 /// @throws std::runtime_error naming origin and line, if a quote does not close, something follows a closing quote, or
-/// a
-///         line has more or fewer fields than the header
+///         a line has more or fewer fields than the header
 std::vector<std::vector<std::string>> parse_csv(std::string_view content, const std::string& origin);
 
 }  // namespace particulate::report
