@@ -345,8 +345,9 @@ void run(const Parameters& p, report::Chapter& chapter) {
   //! The monograph adds the impulses of all contacts of a particle, each computed from the velocities before. With two
   //! particles that is right. With three it is a choice, and it does not know the energy: every contact spends the same
   //! approach again. The library's default resolves contacts in sequence instead, the fastest approach first and equal
-  //! ones together, until no pair approaches. We hit five elastic spheres in a row (Newton's cradle), one from both
-  //! sides, and a pair with a third, and let both ways act until nothing approaches.
+  //! ones together, until no pair approaches; friction is then decided for all contacts that have pushed together. We
+  //! hit five elastic spheres in a row (Newton's cradle), one from both sides, and a pair with a third, and let both ways
+  //! act until nothing approaches.
 
   constexpr double pressed = 31.0 / 32.0;  // spheres one metre across that touch for certain
   const double third = std::sqrt(0.75);

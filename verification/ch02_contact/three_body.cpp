@@ -98,8 +98,8 @@ void symmetric_hit(Rows& rows) {
 }
 
 // A sphere of mass m slides with w between two of mass M that close on it from both sides. The friction of either would
-// take all slip against that one, and both together would turn the slip round. The energy is least, and the friction
-// scaled back to it, where all three share the momentum m w.
+// take all slip against that one, and both together would turn the slip round. Both stick: the energy is least
+// where all three share the momentum m w.
 void squeezed(Rows& rows) {
   constexpr double w = 0.3, m = 1.0, M = 5.0;
   kinematics::Particles all{.position = kinematics::Vectors::Zero(3, 3),

@@ -95,7 +95,7 @@ double miss_of(const Rubbing& all, const Eigen::VectorXd& P) {
 // Lets the kinetic energy fall to its minimum over impulses up to the most: all at once where that comes nearer or
 // lower, else one contact after the other, which always falls. Returns whether it is reached.
 bool minimise(const Rubbing& all, Eigen::VectorXd& P) {
-  constexpr int most_rounds = 2000;
+  constexpr int most_rounds = 2000, turns = 10;
   constexpr double roundings = 16.0 * std::numeric_limits<double>::epsilon();
   const double largest = all.slip.cwiseAbs().maxCoeff();
   for (int round = 0; round < most_rounds; ++round) {
@@ -106,7 +106,8 @@ bool minimise(const Rubbing& all, Eigen::VectorXd& P) {
       P = to;
       continue;
     }
-    for (Eigen::Index k = 0; k < all.size(); ++k) {
+    for (Eigen::Index turn = 0; turn < turns * all.size(); ++turn) {
+      const Eigen::Index k = turn % all.size();
       const Eigen::Vector2d left = all.slip.segment<2>(2 * k) + all.W.middleRows<2>(2 * k) * P;
       P.segment<2>(2 * k) = all.alone(k, P.segment<2>(2 * k) - left);
     }

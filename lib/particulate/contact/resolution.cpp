@@ -23,6 +23,10 @@ constexpr double rest = 1e-13;
 constexpr double roundings = 4.0;
 // So often friction and the pushes that it calls for are decided one after the other.
 constexpr int most_frictions = 1000;
+// After so many times it is kept if it presses nothing faster than this share of the first approach: pushes alone end
+// it.
+constexpr int patience = 100;
+constexpr double nearly = 1e-9;
 
 struct Motions {
   const Eigen::VectorXd& inverse_mass;
@@ -379,6 +383,13 @@ std::string pinched(const Motions& motions, const Cluster& cluster) {
       body, name_of(one), name_of(other), overlap);
 }
 
+std::string without_balance(std::size_t contacts, int rubbed) {
+  return fmt::format(
+      "friction of {} contacts that hang together and their pushes do not come to agree, after deciding {} times which "
+      "stick: take a smaller step, so that fewer bodies touch at once, or a smaller mu_s",
+      contacts, rubbed);
+}
+
 // Goes on until no contact of a cluster approaches: pushes, then friction, which may press others together.
 template <class R, class F>
 void settle(const ContactResolver<R, F>& law, Motions& motions, std::vector<Touch> contacts, double duration,
@@ -386,12 +397,13 @@ void settle(const ContactResolver<R, F>& law, Motions& motions, std::vector<Touc
   const double noise = noise_of(motions, contacts);
   if (contacts.size() == 1 && !law.holding) return resolve_each(law, motions, contacts, duration, noise, done);
   std::vector<Meeting> meetings = meetings_of(law, motions, contacts, duration);
-  const double at_rest = std::max(rest * fastest_met(meetings), noise);
+  const double first = fastest_met(meetings), at_rest = std::max(rest * first, noise);
   const auto n = static_cast<long>(contacts.size());
   const long most_rounds = 10000 + 200 * n * n;
   std::vector<Impulse> none(contacts.size());
   Cluster cluster{.contacts = std::move(contacts), .impulses = std::move(none)};
   std::vector<Action> actions;
+  double pressed = first;  // by the friction decided last
   int rubbed = 0;
   for (long round = 0; round < most_rounds; ++round) {
     const std::vector<std::size_t> group = fastest_group(meetings, at_rest, noise, law.holding);
@@ -400,17 +412,16 @@ void settle(const ContactResolver<R, F>& law, Motions& motions, std::vector<Touc
       push_apart(motions, cluster, part, meetings, actions);
     }
     meetings = meetings_of(law, motions, cluster.contacts, duration);
-    const bool rubs = std::is_same_v<F, Friction> && fastest_met(meetings) <= at_rest;
+    const bool agree = rubbed >= patience && pressed <= nearly * first;
+    const bool rubs = std::is_same_v<F, Friction> && fastest_met(meetings) <= at_rest && !agree;
     if (rubs && (++rubbed > most_frictions || !rub(law, motions, cluster, duration, actions, done))) {
-      done.unsettled = fmt::format(
-          "friction of {} contacts that hang together and their normal impulses do not come to agree, after deciding "
-          "{} "
-          "times which stick: take a smaller step, so that fewer bodies touch at once, or a smaller mu_s",
-          n, rubbed);
+      done.unsettled = without_balance(cluster.contacts.size(), rubbed);
       return;
     }
     book(law.recorder, motions, actions, done);
-    if (rubs) meetings = meetings_of(law, motions, cluster.contacts, duration);
+    if (!rubs) continue;
+    meetings = meetings_of(law, motions, cluster.contacts, duration);
+    pressed = fastest_met(meetings);
   }
   done.unsettled = fmt::format(
       "after {} rounds of impulses some of {} contacts that hang together still approach, at up to {} m/s; {}",
