@@ -132,6 +132,27 @@ BOOST_AUTO_TEST_CASE(says_when_a_direction_is_missing) {
   BOOST_TEST(any_approach(found, cloud.at()));
 }
 
+// 1e-200 m has a square of 0, and 1e200 m none.
+BOOST_AUTO_TEST_CASE(finds_bodies_of_any_size_and_no_points) {
+  for (const double size : {1e-200, 1.0, 1e200}) {
+    Moment pair{{.position = Vectors{{0.0, 0.0, 0.0}, {0.6 * size, 0.8 * size, 0.0}},
+                 .velocity = Vectors::Zero(2, 3),
+                 .mass = Eigen::Vector2d::Ones(),
+                 .radius = Eigen::Vector2d::Constant(0.75 * size)}};
+    const Touching found = find_touching(Space{}, pair.at());
+    BOOST_REQUIRE(found.contacts.size() == 1U);
+    BOOST_TEST(close(found.contacts[0].n, Eigen::Vector3d(0.6, 0.8, 0.0), {.relative = 1e-15}));
+    BOOST_TEST(found.overlap == 0.5 * size, tolerance(1e-14));
+    pair.particles.radius.setConstant(0.25 * size);
+    BOOST_TEST(find_touching(Space{}, pair.at()).contacts.empty());
+  }
+  const Moment points{{.position = Vectors::Zero(2, 3),
+                       .velocity = Vectors::Zero(2, 3),
+                       .mass = Eigen::Vector2d::Ones(),
+                       .radius = Eigen::Vector2d::Zero()}};
+  BOOST_TEST(find_touching(Space{}, points.at()).contacts.empty());
+}
+
 // Twenty-seven spheres on a crooked lattice, some of which overlap, between a floor and a wall.
 BOOST_AUTO_TEST_CASE(finds_the_same_in_a_domain_of_ones_own) {
   Moment cloud{{.position = Vectors::Zero(27, 3),
@@ -172,6 +193,26 @@ BOOST_AUTO_TEST_CASE(takes_no_notice_of_what_cannot_move_on_either_side) {
   BOOST_TEST(find_touching(Space{}, fixed.at()).contacts.size() == 1U);
   fixed.inverse_mass.head<2>() << 1.0, 0.0;
   BOOST_TEST(find_touching(Space{}, fixed.at()).contacts.size() == 1U);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(travel_)
+
+// Means are taken off: +-1.5 m/s along x. The floor is approached at 2 m/s, by the body of radius 0.5.
+BOOST_AUTO_TEST_CASE(is_the_largest_move_over_the_radius_seen_from_the_others_and_from_walls) {
+  Moment pair{{.position = Vectors{{0.0, 0.0, 0.0}, {8.0, 0.0, 0.0}},
+               .velocity = Vectors{{2e4 + 3.0, 0.0, 0.0}, {2e4, 0.0, 0.0}},
+               .mass = Eigen::Vector2d(1.0, 9.0),
+               .radius = Eigen::Vector2d(0.25, 0.5)}};
+  BOOST_TEST(travel(Space{}, pair.at(), 0.1) == 0.6, tolerance(1e-9));
+  pair.particles.radius[0] = 0.0;
+  BOOST_TEST(travel(Space{}, pair.at(), 0.1) == 0.3, tolerance(1e-9));
+  pair.particles.velocity << 0.0, 0.0, -2.0, 0.0, 0.0, -2.0;
+  BOOST_TEST(travel(Space{}, pair.at(), 0.1) == 0.0);
+  BOOST_TEST(travel(room, pair.at(), 0.1) == 0.4);
+  pair.particles.radius.setZero();
+  BOOST_TEST(travel(room, pair.at(), 0.1) == 0.0);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

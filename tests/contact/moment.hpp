@@ -24,9 +24,9 @@ struct Moment {
              .position = Eigen::Map<const Vectors>(particles.position.data(), N, 3),
              .mass = particles.mass,
              .radius = particles.radius,
+             .inverse_mass = inverse_mass,
              .scratch = scratch},
-            Eigen::Map<const Vectors>(particles.velocity.data(), N, 3),
-            inverse_mass};
+            Eigen::Map<const Vectors>(particles.velocity.data(), N, 3)};
   }
 };
 

@@ -74,9 +74,9 @@ BOOST_AUTO_TEST_CASE(is_taken_by_laws_that_ask_for_less) {
                                        .position = Eigen::Map<const Vectors>(position.data(), 1, 3),
                                        .mass = mass,
                                        .radius = radius,
+                                       .inverse_mass = inverse_mass,
                                        .scratch = scratch},
-                                      Eigen::Map<const Vectors>(velocity.data(), 1, 3),
-                                      inverse_mass},
+                                      Eigen::Map<const Vectors>(velocity.data(), 1, 3)},
                                      Eigen::Map<const Eigen::VectorXd>(temperature.data(), 1)};
   const auto force_of = [&](const auto& law) {
     Vectors force = Vectors::Zero(1, 3);

@@ -19,6 +19,7 @@ using namespace particulate::laws;
 struct Cloud {
   Vectors position;
   Eigen::VectorXd mass, radius;
+  Eigen::VectorXd inverse_mass = mass.cwiseInverse();
   mutable particulate::laws::Scratch scratch = {};
 
   At<> places() const {
@@ -26,6 +27,7 @@ struct Cloud {
             .position = Eigen::Map<const Vectors>(position.data(), position.rows(), 3),
             .mass = mass,
             .radius = radius,
+            .inverse_mass = inverse_mass,
             .scratch = scratch};
   }
 };
@@ -48,6 +50,7 @@ Cloud cloud_of(Eigen::Index N) {
     cloud.mass[i] = 0.5 + uniform();
     cloud.radius[i] = 0.2 + 0.3 * uniform();
   }
+  cloud.inverse_mass = cloud.mass.cwiseInverse();
   return cloud;
 }
 
@@ -441,6 +444,37 @@ BOOST_AUTO_TEST_CASE(has_no_value_where_two_particles_coincide) {
       }
     }
   }
+}
+
+// Two that are immovable, or that have no surface to count strengths per: the others feel what they would without.
+BOOST_AUTO_TEST_CASE(does_not_mind_coincident_particles_that_feel_nothing_of_each_other) {
+  long times = 0;
+  NearField by_area = monograph;
+  by_area.scaling = Scaling::area;
+  for (const Eigen::Index N : {3, 10, 11, 29}) {
+    Cloud fixed = cloud_of(N), points = cloud_of(N);
+    fixed.position.row(2) = fixed.position.row(1), points.position.row(2) = points.position.row(1);
+    fixed.inverse_mass[1] = fixed.inverse_mass[2] = 0.0;
+    points.radius[1] = points.radius[2] = 0.0;
+    Cloud once = fixed;  // one of twice the charge in their place, the other too far to be felt
+    once.mass[1] *= 2.0, once.mass[2] = 0.0, once.position(2, 0) = 1e9;
+    fixed.mass[2] = fixed.mass[1];
+    for (const Kernel kernel : kernels()) {
+      Vectors force = Vectors::Ones(N, 3);
+      BOOST_TEST(add_force(with_kernel(kernel, monograph), Space{}, fixed.places(), Forces(force.data(), N, 3)));
+      const Vectors one = forces(with_kernel(kernel, monograph), Space{}, once).force;
+      BOOST_TEST(close(force.row(0), one.row(0).array() + 1.0, {.relative = 1e-12}));
+      BOOST_TEST(forces(with_kernel(kernel, by_area), Space{}, points).has_value);
+    }
+    BOOST_TEST(forces(monograph, Asked{&times}, fixed).has_value);
+    BOOST_TEST(std::isfinite(potential_energy(monograph, Space{}, fixed.places())));
+    BOOST_TEST(why_no_force(monograph, Space{}, fixed.places()).empty());
+    fixed.inverse_mass[2] = 1.0;
+    BOOST_TEST(!forces(monograph, Space{}, fixed).has_value);
+    BOOST_TEST(contains(why_no_force(monograph, Space{}, fixed.places()),
+                        "particles 1 and 2 must be some 1.5e-154 to 1.3e154 m apart, but are 0 m apart"));
+  }
+  BOOST_TEST(forces(NearField{}, Space{}, pair_at(0.0)).has_value);
 }
 
 // What fills the last register stands nowhere: a particle at the origin meets nothing there, and neither do particles

@@ -546,6 +546,36 @@ BOOST_AUTO_TEST_CASE(reports_what_each_law_that_jumps_did) {
   BOOST_TEST(run(alone, state, 0.5, VelocityVerlet(), FixedStep{.step = 0.0625}).jumps_by_law.empty());
 }
 
+// 4 m/s for steps of 1 s pass a body of radius 0.5 unseen.
+BOOST_AUTO_TEST_CASE(says_that_a_start_overlaps_and_that_a_step_was_too_long) {
+  Particles pair = two_particles();
+  pair.position = Vectors{{0.0, 0.0, 0.0}, {0.9, 0.0, 0.0}};
+  pair.velocity = Vectors{{2e4, 0.0, 0.0}, {2e4 + 4.0, 0.0, 0.0}};
+  const Scene scene(pair, Space{}, Contact{});
+  State state = start(scene);
+  Outcome outcome = run(scene, state, 2.0, VelocityVerlet(), FixedStep{.step = 1.0});
+  BOOST_TEST(outcome.overlap_at_start == 0.1, tolerance(1e-14));
+  BOOST_TEST(outcome.travel == 4.0);
+  BOOST_TEST(outcome.overlap == 0.0);
+  outcome = run(scene, state, 2.1, VelocityVerlet(), FixedStep{.step = 0.1});
+  BOOST_TEST(outcome.overlap_at_start == 0.0);
+  BOOST_TEST(outcome.travel == 0.4, tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_CASE(names_the_particles_that_have_no_force) {
+  Particles together = two_particles();
+  together.position.row(1) = together.position.row(0);
+  const Scene scene(together, Space{}, Weight{1.0}, NearField{.alpha1 = 1.0});
+  State state = start(scene);
+  const Outcome outcome = run(scene, state, 1.0, VelocityVerlet(), FixedStep{.step = 0.1});
+  BOOST_TEST((outcome.failure == Failure::no_value));
+  BOOST_TEST(contains(outcome.reason, "near field: particles 0 and 1 must be"), outcome.reason);
+  together.immovable = {true, true};
+  const Scene fixed(together, Space{}, Weight{1.0}, NearField{.alpha1 = 1.0}, Contact{});
+  state = start(fixed);
+  BOOST_TEST((run(fixed, state, 1.0, VelocityVerlet(), FixedStep{.step = 0.1}).status == Status::reached));
+}
+
 BOOST_AUTO_TEST_CASE(fails_where_a_jump_is_not_settled) {
   Particles together = two_particles();
   together.position = Vectors{{0.0, 0.0, 0.0}, {4.0, 0.0, 0.0}};

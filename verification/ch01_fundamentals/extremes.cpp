@@ -157,10 +157,10 @@ void refuse_coincidence(Rows& rows) {
     return accepted();
   });
 
-  // Without forces the two would pass through each other; the first step ends where they meet.
+  // With hardly a force the two would pass through each other; the first step ends where they meet.
   kinematics::Particles meeting = pair_at_rest(1.0, 1.0, 2.0);
   meeting.velocity = -meeting.position;
-  const laws::NearField idle{.alpha1 = 0.0, .alpha2 = 0.0};
+  const laws::NearField idle{.alpha1 = 1e-200, .alpha2 = 0.0};
   rows.must_be_refused("fixed step that leaps into coincidence, velocity Verlet", "no finite value smaller step",
                        [&] { return run<schemes::VelocityVerlet>(meeting, idle, 1.0, 4.0); });
   rows.must_be_refused("fixed step that leaps into coincidence, RK4", "no finite value smaller step",

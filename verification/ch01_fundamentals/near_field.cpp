@@ -116,10 +116,12 @@ void compare(Rows& rows, const laws::NearField& law, Eigen::Index N, const std::
 // A law adds to what is there: twice the same forces are twice the forces.
 double error_of_adding(const laws::NearField& law, const kinematics::Particles& cloud) {
   laws::Scratch scratch;
+  const Eigen::VectorXd inverse_mass = kinematics::inverse_masses(cloud);
   const laws::At<> at{.t = 0.0,
                       .position{cloud.position.data(), cloud.size(), 3},
                       .mass = cloud.mass,
                       .radius = cloud.radius,
+                      .inverse_mass = inverse_mass,
                       .scratch = scratch};
   Eigen::VectorXd once = Eigen::VectorXd::Zero(3 * cloud.size());
   Eigen::VectorXd onto = Eigen::VectorXd::Constant(3 * cloud.size(), 1.0);

@@ -30,6 +30,20 @@ double ClosedGap::between(const kinematics::VectorsIn& position, const Eigen::Ve
 template Touching find_touching<kinematics::Space>(const kinematics::Space&, const laws::At<laws::Velocity>&,
                                                    const ClosedGap&);
 
+double travel(const laws::At<laws::Velocity>& at, std::span<const kinematics::Wall> walls, double dt) {
+  const Eigen::Index N = at.mass.size();
+  if (N == 0 || !(at.radius.maxCoeff() > 0.0)) return 0.0;
+  const double smallest = (at.radius.array() > 0.0).select(at.radius, at.radius.maxCoeff()).minCoeff();
+  const Eigen::RowVector3d mean = at.velocity.colwise().mean();
+  double farthest = 0.0;
+  for (Eigen::Index i = 0; i < N; ++i) {
+    double speed = (at.velocity.row(i) - mean).norm();
+    for (const kinematics::Wall& wall : walls) speed = std::max(speed, -at.velocity.row(i).dot(wall.normal));
+    farthest = std::max(farthest, speed / std::max(at.radius[i], smallest));
+  }
+  return farthest * dt;
+}
+
 double approach_speed(const Touch& touch, const kinematics::VectorsIn& velocity) {
   Eigen::Vector3d approach = velocity.row(touch.i);
   if (touch.j >= 0) approach -= velocity.row(touch.j).transpose();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <concepts>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -114,7 +115,8 @@ struct ClosedGap {
 };
 
 /// Finds the spheres that touch each other or a wall, among all pairs. Two bodies of which neither can move do not
-/// count. Compiled once for Space; a domain of one's own gets code of its own.
+/// count, nor do two points, which have no surface. Compiled once for Space; a domain of one's own gets code of its
+/// own.
 ///
 /// @param domain     forms the separations, and has the walls if there are any
 /// @param at         the particles
@@ -138,8 +140,11 @@ Touching find_touching(const D& domain, const laws::At<laws::Velocity>& at, cons
     for (Eigen::Index j = i + 1; j < at.mass.size(); ++j) {
       if (!moves && !(at.inverse_mass[j] > 0.0)) continue;
       const Eigen::Vector3d towards = separation(domain, here, at.position.row(j));
-      const double d = towards.norm(), reach = at.radius[i] + at.radius[j];
-      if (closed(d - reach, i, j)) add(i, j, reach - d, towards / d);
+      const double reach = at.radius[i] + at.radius[j];
+      // Most pairs are apart, whatever rounding or the range of a double makes of their squares.
+      if (exact && towards.squaredNorm() > (1.0 + 1e-12) * reach * reach + 1e-300) continue;
+      const double d = kinematics::length(towards);
+      if (reach > 0.0 && closed(d - reach, i, j)) add(i, j, reach - d, towards / d);
     }
     if constexpr (kinematics::HasWalls<D>) {
       if (!moves) continue;
@@ -156,6 +161,23 @@ Touching find_touching(const D& domain, const laws::At<laws::Velocity>& at, cons
 extern template Touching find_touching<kinematics::Space>(const kinematics::Space&, const laws::At<laws::Velocity>&,
                                                           const ClosedGap&);
 /// @endcond
+
+/// The largest move of a body in a step over its radius: relative to the mean velocity of all, which a common motion
+/// does not enter, and along the normals of walls. A point counts with the smallest radius that is none.
+///
+/// @param at     the particles at the end of the step
+/// @param walls  which bound them
+/// @param dt     the step [s]
+/// @return speed times step over radius; above 1 bodies may have passed each other unseen, or entered deeply [-]
+double travel(const laws::At<laws::Velocity>& at, std::span<const kinematics::Wall> walls, double dt);
+
+/// @param domain  with walls or without
+/// @return travel() there [-]
+template <kinematics::Domain D>
+double travel(const D& domain, const laws::At<laws::Velocity>& at, double dt) {
+  if constexpr (kinematics::HasWalls<D>) return travel(at, walls(domain), dt);
+  return travel(at, {}, dt);
+}
 
 /// @param touch     a contact
 /// @param velocity  of all particles, N x 3 [m/s]

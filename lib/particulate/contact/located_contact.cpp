@@ -100,7 +100,8 @@ class Gaps {
     };
     for (Eigen::Index i = 0; i < radius_.size(); ++i) {
       for (Eigen::Index j = i + 1; j < radius_.size(); ++j) {
-        if (inverse_mass_[i] > 0.0 || inverse_mass_[j] > 0.0) look_at({.i = i, .j = j, .wall = nullptr});
+        const bool points = radius_[i] + radius_[j] == 0.0;
+        if (!points && (inverse_mass_[i] > 0.0 || inverse_mass_[j] > 0.0)) look_at({.i = i, .j = j, .wall = nullptr});
       }
       if (!(inverse_mass_[i] > 0.0)) continue;
       for (const kinematics::Wall& wall : domain_.planes) look_at({.i = i, .j = -1, .wall = &wall});
@@ -115,7 +116,7 @@ class Gaps {
   double width(const Gap& gap, const schemes::State& there) const {
     const Rows r = rows(there.r);
     if (gap.wall) return kinematics::height_above(*gap.wall, r.row(gap.i).transpose()) - radius_[gap.i];
-    return domain_.between(domain_.self, r.row(gap.i).transpose(), r.row(gap.j).transpose()).norm() -
+    return kinematics::length(domain_.between(domain_.self, r.row(gap.i).transpose(), r.row(gap.j).transpose())) -
            (radius_[gap.i] + radius_[gap.j]);
   }
 
@@ -126,7 +127,7 @@ class Gaps {
     if (gap.wall) return path_.dt * v_i.dot(gap.wall->normal);
     const Eigen::Vector3d towards = domain_.between(domain_.self, r.row(gap.i).transpose(), r.row(gap.j).transpose());
     const Eigen::Vector3d v_j = v.row(gap.j);
-    return path_.dt * (v_j - v_i).dot(towards.normalized());
+    return path_.dt * (v_j - v_i).dot(towards.stableNormalized());
   }
 
   std::optional<double> closing(const Gap& gap, double slack) {

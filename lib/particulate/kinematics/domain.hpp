@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <concepts>
 #include <limits>
 #include <span>
@@ -55,6 +56,16 @@ void validate(const Space& domain);
 /// @return to - from [m]
 inline Eigen::Vector3d separation(const Space&, const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
   return to - from;
+}
+
+/// Length of a separation, whose square may be too small or too large for a double.
+///
+/// @param separation  from one place to another [m]
+/// @return its norm [m]
+inline double length(const Eigen::Vector3d& separation) {
+  const double square = separation.squaredNorm();
+  const bool full = square >= std::numeric_limits<double>::min() && square <= std::numeric_limits<double>::max();
+  return full ? std::sqrt(square) : separation.stableNorm();
 }
 
 /// @param domain  space

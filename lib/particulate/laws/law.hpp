@@ -2,6 +2,7 @@
 
 #include <array>
 #include <concepts>
+#include <string>
 #include <vector>
 
 #include <particulate/kinematics/domain.hpp>
@@ -48,19 +49,20 @@ class Scratch {
 struct Velocity;
 struct Temperature;
 
-/// What a law sees of a moment: time, places, masses and radii, and the parts that it names: `Velocity`, the velocities
-/// and inverse masses, `Temperature`, the temperatures. Nothing is copied. A view with more parts converts to one with
-/// fewer.
+/// What a law sees of a moment: time, places, masses, radii and what is immovable, and the parts that it names:
+/// `Velocity`, the velocities and inverse masses, `Temperature`, the temperatures. Nothing is copied. A view with more
+/// parts converts to one with fewer.
 template <class... Parts>
 struct At;
 
-/// Time, places, masses and radii.
+/// Time, places, masses, radii and what is immovable.
 template <>
 struct At<> {
   double t;                                        ///< time [s]
   Eigen::Map<const kinematics::Vectors> position;  ///< r_i, N x 3 [m]
   const Eigen::VectorXd& mass;                     ///< m_i, N [kg]
   const Eigen::VectorXd& radius;                   ///< b_i, N [m]
+  const Eigen::VectorXd& inverse_mass;             ///< 1/m_i, 0 for what is immovable, N [1/kg]
   Scratch& scratch;                                ///< the scene's
 };
 
@@ -68,7 +70,6 @@ struct At<> {
 template <>
 struct At<Velocity> : At<> {
   Eigen::Map<const kinematics::Vectors> velocity;  ///< v_i, N x 3 [m/s]
-  const Eigen::VectorXd& inverse_mass;             ///< 1/m_i, 0 for what is immovable, N [1/kg]
 };
 
 /// The same with temperatures.
@@ -122,6 +123,12 @@ template <class L, class D>
 concept ChangesVelocities = requires(const L& law, const D& domain, const At<Velocity>& at, double dt,
                                      schemes::Out velocity) {
   { jump(law, domain, at, dt, velocity) } -> std::same_as<schemes::Jump>;
+};
+
+/// A law that can say why it has no force somewhere: `why_no_force(law, domain, at)`; empty: it has one.
+template <class L, class D>
+concept SaysWhy = requires(const L& law, const D& domain, const At<>& at) {
+  { why_no_force(law, domain, at) } -> std::same_as<std::string>;
 };
 
 /// A law that can be checked where it enters a scene: `validate(law)` throws std::invalid_argument.

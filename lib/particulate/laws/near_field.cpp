@@ -1,6 +1,7 @@
 #include <particulate/laws/near_field.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -144,7 +145,23 @@ Eigen::VectorXd charges(const NearField& law, const At<>& at) {
   throw std::invalid_argument("near field: scaling must be mass, area or pair");
 }
 
-bool add_force(const NearField& law, const kinematics::Space&, const At<>& at, Forces force) {
+std::string why_no_force(const NearField& law, const At<>& at,
+                         const std::function<double(Eigen::Index, Eigen::Index)>& apart) {
+  const Eigen::VectorXd charge = charges(law, at);
+  for (Eigen::Index i = 0; i < at.mass.size(); ++i) {
+    for (Eigen::Index j = i + 1; j < at.mass.size(); ++j) {
+      const double d = apart(i, j);
+      if (is_full(d * d) || !feels(law, at, charge, i, j)) continue;
+      return fmt::format(
+          "near field: particles {} and {} must be some 1.5e-154 to 1.3e154 m apart, but are {} m apart: place them "
+          "otherwise, or let a contact keep them apart",
+          i, j, d);
+    }
+  }
+  return {};
+}
+
+bool add_force(const NearField& law, const kinematics::Space& space, const At<>& at, Forces force) {
   if (!is_available(law.kernel)) throw std::invalid_argument(refusal(law.kernel));
   const detail::PairForce pair{.alpha1 = law.alpha1, .alpha2 = law.alpha2, .beta1 = law.beta1, .beta2 = law.beta2};
   const Eigen::Index N = at.mass.size();
@@ -152,15 +169,22 @@ bool add_force(const NearField& law, const kinematics::Space&, const At<>& at, F
   const double* const charge = law.scaling == Scaling::mass ? at.mass.data() : other.data();  // masses are not copied
   const double* const r = at.position.data();
   double *const f_x = force.data(), *const f_y = f_x + N, *const f_z = f_y + N;
+  // Some pair may have no force, which matters only if it feels one.
+  const auto add_those_that_feel = [&] { return add_force<kinematics::Space>(law, space, at, force); };
   if (N <= detail::few) {
     // By the baseline, so that a small scene has the same bits whatever the processor.
+    std::array<double, 3 * detail::few> before;
+    std::copy_n(f_x, 3 * N, before.begin());
     const detail::Columns in_place{r, r + N, r + 2 * N, charge, f_x, f_y, f_z, f_x, f_y, f_z};
-    return detail::add_pairs_baseline(pair, in_place, N) && force.allFinite();
+    if (detail::add_pairs_baseline(pair, in_place, N)) return force.allFinite();
+    std::copy_n(before.begin(), 3 * N, f_x);
+    return add_those_that_feel();
   }
   const detail::AddPairs add_pairs = built(law.kernel == Kernel::best ? best_kernel() : law.kernel);
   const detail::Columns c = filled(at.scratch, r, charge, N);
-  return add_pairs(pair, c, N) && add_component(c.action_x, c.reaction_x, N, f_x) &&
-         add_component(c.action_y, c.reaction_y, N, f_y) && add_component(c.action_z, c.reaction_z, N, f_z);
+  if (!add_pairs(pair, c, N)) return add_those_that_feel();
+  return add_component(c.action_x, c.reaction_x, N, f_x) && add_component(c.action_y, c.reaction_y, N, f_y) &&
+         add_component(c.action_z, c.reaction_z, N, f_z);
 }
 
 }  // namespace particulate::laws

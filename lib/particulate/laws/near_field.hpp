@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <string>
 #include <string_view>
 
 #include <particulate/kinematics/central_force.hpp>
@@ -88,6 +90,19 @@ inline bool is_full(double square) {
   return square >= std::numeric_limits<double>::min() && square <= std::numeric_limits<double>::max();
 }
 
+/// Whether two particles feel anything of each other: the pair has a strength, and one of them can move.
+///
+/// @param law     the near field
+/// @param at      the particles
+/// @param charge  charges()
+/// @param i       one particle
+/// @param j       the other
+/// @return false: it does not matter where they are
+inline bool feels(const NearField& law, const At<>& at, const Eigen::VectorXd& charge, Eigen::Index i, Eigen::Index j) {
+  const kinematics::CentralForce pair = pair_law(law, charge[i], charge[j]);
+  return (pair.alpha1 > 0.0 || pair.alpha2 > 0.0) && (at.inverse_mass[i] > 0.0 || at.inverse_mass[j] > 0.0);
+}
+
 /// Adds the near-field forces over all pairs in space, whose walls the near field does not feel.
 ///
 /// @equation{M 2.3} One pass over the pairs j > i with both forces from one evaluation, so that the total force
@@ -100,8 +115,8 @@ inline bool is_full(double square) {
 /// @param law    constants that validate() accepts
 /// @param at     the particles
 /// @param force  receives the forces, added to what it holds [N]
-/// @return false where two particles coincide, their squared distance is none (is_full()) or a force is too large for a
-///         double; the forces are then meaningless
+/// @return false where two particles that feel each other coincide, their squared distance is none (is_full()) or a
+///         force is too large for a double; the forces are then meaningless
 /// @throws std::invalid_argument if the law's kernel is not available
 bool add_force(const NearField& law, const kinematics::Space&, const At<>& at, Forces force);
 
@@ -112,8 +127,8 @@ bool add_force(const NearField& law, const kinematics::Space&, const At<>& at, F
 /// @param domain  forms the separations
 /// @param at      the particles
 /// @param force   receives the forces, added to what it holds [N]
-/// @return false where two particles coincide, their squared distance is none (is_full()) or a force is too large for a
-///         double; the forces are then meaningless
+/// @return false where two particles that feel each other coincide, their squared distance is none (is_full()) or a
+///         force is too large for a double; the forces are then meaningless
 template <kinematics::Domain D>
 bool add_force(const NearField& law, const D& domain, const At<>& at, Forces force) {
   const Eigen::VectorXd charge = charges(law, at);
@@ -121,7 +136,10 @@ bool add_force(const NearField& law, const D& domain, const At<>& at, Forces for
     for (Eigen::Index j = i + 1; j < at.mass.size(); ++j) {
       const Eigen::Vector3d towards = separation(domain, at.position.row(i), at.position.row(j));
       const double square = towards.squaredNorm();
-      if (!is_full(square)) return false;
+      if (!is_full(square)) {
+        if (feels(law, at, charge, i, j)) return false;
+        continue;
+      }
       const double d = std::sqrt(square);
       const double over_d = strength(pair_law(law, charge[i], charge[j]), d) / d;
       force.row(i) += over_d * towards.transpose();
@@ -129,6 +147,26 @@ bool add_force(const NearField& law, const D& domain, const At<>& at, Forces for
     }
   }
   return force.allFinite();
+}
+
+/// Why two particles have no near field: of pairs that feel each other, the first whose squared distance is none.
+///
+/// @param law    the near field
+/// @param at     the particles
+/// @param apart   gives the distance of a pair [m]
+/// @return its numbers, its distance and what to do; empty: there is none
+std::string why_no_force(const NearField& law, const At<>& at,
+                         const std::function<double(Eigen::Index, Eigen::Index)>& apart);
+
+/// @param law     the near field
+/// @param domain  forms the separations
+/// @param at      the particles
+/// @return which two particles have no near field there, and what to do; empty: all have, or a force is too large
+template <kinematics::Domain D>
+std::string why_no_force(const NearField& law, const D& domain, const At<>& at) {
+  return why_no_force(law, at, [&](Eigen::Index i, Eigen::Index j) {
+    return kinematics::length(separation(domain, at.position.row(i), at.position.row(j)));
+  });
 }
 
 /// Potential energy of the near field over all pairs.
@@ -139,14 +177,16 @@ bool add_force(const NearField& law, const D& domain, const At<>& at, Forces for
 /// @param law     constants that validate() accepts
 /// @param domain  forms the separations
 /// @param at      the particles
-/// @return energy, infinite or NaN where two particles coincide [J]
+/// @return energy, without that of coincident particles that do not feel each other; infinite or NaN where others
+///         coincide [J]
 template <kinematics::Domain D>
 double potential_energy(const NearField& law, const D& domain, const At<>& at) {
   const Eigen::VectorXd charge = charges(law, at);
   double sum = 0.0;
   for (Eigen::Index i = 0; i < at.mass.size(); ++i) {
     for (Eigen::Index j = i + 1; j < at.mass.size(); ++j) {
-      const double d = separation(domain, at.position.row(i), at.position.row(j)).stableNorm();
+      const double d = kinematics::length(separation(domain, at.position.row(i), at.position.row(j)));
+      if (d == 0.0 && !feels(law, at, charge, i, j)) continue;
       sum += potential(pair_law(law, charge[i], charge[j]), d, law.d_ref);
     }
   }

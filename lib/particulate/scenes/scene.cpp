@@ -16,6 +16,7 @@ void add_jump(schemes::Jump one, schemes::Jump& all) {
   all.impacts += one.impacts;
   all.energy_change += one.energy_change;
   all.overlap = std::max(all.overlap, one.overlap);
+  all.travel = std::max(all.travel, one.travel);
   all.evaluations += one.evaluations;
   all.by_law.push_back({.impacts = one.impacts, .energy_change = one.energy_change});
   all.unsettled = std::move(one.unsettled);

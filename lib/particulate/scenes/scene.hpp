@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <tuple>
 #include <utility>
 
@@ -18,6 +19,12 @@ namespace detail {
 template <class L, class D>
 double energy_of(const L& law, const D& domain, const laws::At<>& at) {
   return potential_energy(law, domain, at);
+}
+
+template <class L, class D>
+std::string why_of(const L& law, const D& domain, const laws::At<>& at) {
+  if constexpr (laws::SaysWhy<L, D>) return why_no_force(law, domain, at);
+  return {};
 }
 
 template <class L>
@@ -154,6 +161,26 @@ class Scene {
     return all;
   }
 
+  /// @param state  a state of this scene
+  /// @return the deepest overlap there of two bodies, or of one with a wall [m]
+  double overlap(const schemes::State& state) const requires(contact::Impacts<Laws> || ...) {
+    return contact::find_touching(domain_, moving(state.t, state.r, state.v)).overlap;
+  }
+
+  /// Why a law has no force somewhere. @see schemes::SaysWhy
+  ///
+  /// @param state  a state of this scene
+  /// @return which particles are the reason and what to do; empty where every law that can tell has a force
+  std::string why_no_value(const schemes::State& state) const {
+    const laws::At<> at = places(state.t, state.r);
+    std::string why;
+    const auto ask = [&](const auto& law) {
+      if (why.empty()) why = detail::why_of(law, domain_, at);
+    };
+    std::apply([&](const auto&... law) { (ask(law), ...); }, laws_);
+    return why;
+  }
+
   /// The first place of a step at which bodies touch; only a scene with located contacts offers it.
   /// @see schemes::LocatesJumps
   ///
@@ -210,17 +237,8 @@ class Scene {
   schemes::Jump jump_by(const L& law, schemes::State& state, double dt) const {
     const laws::At<laws::Velocity> here = moving(state.t, state.r, state.v);
     if constexpr (contact::Impacts<L>) {
-      contact::Touching touching = contact::find_touching(domain_, here, detail::tolerance_of(law));
-      if (!contact::any_approach(touching, here)) return {.overlap = touching.overlap, .unsettled = {}};
-      Eigen::VectorXd others(state.r.size());
-      if (!total_force(state, others)) {
-        return {
-            .overlap = touching.overlap, .evaluations = 1, .unsettled = "the forces have no value where bodies touch"};
-      }
-      Eigen::VectorXd after = state.v;
-      schemes::Jump jump = resolve_impacts(law, here, std::move(touching), others, dt, after);
-      jump.evaluations = 1;
-      state.v = after;
+      schemes::Jump jump = impacts_by(law, here, state, dt);
+      if constexpr (!contact::LocatesImpacts<L, D>) jump.travel = contact::travel(domain_, here, dt);
       return jump;
     } else {
       Eigen::VectorXd after = state.v;
@@ -228,6 +246,24 @@ class Scene {
       state.v = after;
       return jump;
     }
+  }
+
+  template <class L>
+  schemes::Jump impacts_by(const L& law, const laws::At<laws::Velocity>& here, schemes::State& state, double dt) const {
+    contact::Touching touching = contact::find_touching(domain_, here, detail::tolerance_of(law));
+    if (!contact::any_approach(touching, here)) return {.overlap = touching.overlap, .unsettled = {}};
+    Eigen::VectorXd others(state.r.size());
+    if (!total_force(state, others)) {
+      const std::string why = why_no_value(state);
+      return {.overlap = touching.overlap,
+              .evaluations = 1,
+              .unsettled = "the forces have no value where bodies touch" + (why.empty() ? "" : ": " + why)};
+    }
+    Eigen::VectorXd after = state.v;
+    schemes::Jump jump = resolve_impacts(law, here, std::move(touching), others, dt, after);
+    jump.evaluations = 1;
+    state.v = after;
+    return jump;
   }
 
   template <class L>
@@ -239,10 +275,15 @@ class Scene {
     return {x.data(), particles_.size(), 3};
   }
   laws::At<> places(double t, const schemes::In& r) const {
-    return {.t = t, .position = shaped(r), .mass = particles_.mass, .radius = particles_.radius, .scratch = scratch_};
+    return {.t = t,
+            .position = shaped(r),
+            .mass = particles_.mass,
+            .radius = particles_.radius,
+            .inverse_mass = inverse_mass_,
+            .scratch = scratch_};
   }
   laws::At<laws::Velocity> moving(double t, const schemes::In& r, const schemes::In& v) const {
-    return {places(t, r), shaped(v), inverse_mass_};
+    return {places(t, r), shaped(v)};
   }
 
   template <class L, class Here>

@@ -132,6 +132,7 @@ class Run {
   }
 
   Outcome go() {
+    out_.overlap_at_start = problem_.overlap(state_);
     bool goes_on = true;
     task_.scheme_can.begin(task_.scheme, problem_, state_);
     while (goes_on && state_.t < task_.t_end) goes_on = step();
@@ -160,10 +161,18 @@ class Run {
   void forget() { task_.scheme_can.forget(task_.scheme); }
 
   bool end(Status status, std::string reason, Failure failure = Failure::none) {
+    if (failure == Failure::no_value) reason += why_no_value();
     out_.status = status;
     out_.reason = std::move(reason);
     out_.failure = failure;
     return false;
+  }
+
+  // At the start of the step, else at its last iterate.
+  std::string why_no_value() const {
+    std::string why = problem_.why_no_value(state_);
+    if (why.empty()) why = problem_.why_no_value(to_);
+    return why.empty() ? why : ": " + why;
   }
 
   // Tries one step; returns whether the run goes on.
@@ -262,6 +271,7 @@ class Run {
     out_.impacts += jump.impacts;
     out_.energy_change += jump.energy_change;
     out_.overlap = std::max(out_.overlap, jump.overlap);
+    out_.travel = std::max(out_.travel, jump.travel);
     out_.evaluations += jump.evaluations;
     out_.jumps_by_law.resize(jump.by_law.size());
     for (std::size_t k = 0; k < jump.by_law.size(); ++k) {

@@ -140,6 +140,7 @@ struct Jump {
   long impacts = 0;            ///< pairs that exchanged an impulse [-]
   double energy_change = 0.0;  ///< kinetic energy after minus before [J]
   double overlap = 0.0;        ///< deepest overlap of two bodies before it [m]
+  double travel = 0.0;         ///< largest move of a body in the step, over its radius, if bodies could pass unseen [-]
   long evaluations = 0;        ///< right-hand sides that it asked for [-]
   std::string unsettled;       ///< not empty: the jump could not be completed, and why
   double accumulates =
@@ -152,6 +153,18 @@ struct Jump {
 template <class P>
 concept Jumps = requires(P& p, State& at, double dt) {
   { p.jump(at, dt) } -> std::same_as<Jump>;
+};
+
+/// Ability: the deepest overlap of two bodies in a state, `overlap(state)` [m].
+template <class P>
+concept HasOverlap = requires(P& p, const State& at) {
+  { p.overlap(at) } -> std::same_as<double>;
+};
+
+/// Ability: `why_no_value(state)`, why a right-hand side has no value there; empty where that is not known, or it has.
+template <class P>
+concept SaysWhy = requires(P& p, const State& at) {
+  { p.why_no_value(at) } -> std::same_as<std::string>;
 };
 
 /// The step made last, as a path: the state at a fraction theta of it, by the dense output of its scheme.
@@ -310,6 +323,8 @@ struct Abilities {
   double (*spacing)(const void*, const In&) = nullptr;
   void (*common_motion)(const void*, const In&, Out) = nullptr;
   std::vector<Range> (*ranges)(const void*) = nullptr;
+  double (*overlap)(void*, const State&) = nullptr;
+  std::string (*why_no_value)(void*, const State&) = nullptr;
   Jump (*jump)(void*, State&, double) = nullptr;
   std::optional<double> (*first_jump)(void*, const StepPath&, double) = nullptr;
   std::size_t (*fields)(void*) = nullptr;
@@ -387,6 +402,12 @@ constexpr void add_measures(Abilities& can) {
 
 template <class P>
 constexpr void add_jumps_and_fields(Abilities& can) {
+  if constexpr (HasOverlap<P>) {
+    can.overlap = [](void* p, const State& at) { return as<P>(p).overlap(at); };
+  }
+  if constexpr (SaysWhy<P>) {
+    can.why_no_value = [](void* p, const State& at) { return as<P>(p).why_no_value(at); };
+  }
   if constexpr (Jumps<P>) {
     can.jump = [](void* p, State& at, double dt) { return as<P>(p).jump(at, dt); };
   }
@@ -539,6 +560,12 @@ class Problem {
     Jump jump = can_->jump(self_, at, dt);
     if (hook_) hook_->jumped(jump);
     return jump;
+  }
+  /// @param at  a state @return the deepest overlap of two bodies there; 0 where it knows none [m]
+  double overlap(const State& at) const { return can_->overlap ? can_->overlap(self_, at) : 0.0; }
+  /// @param at  a state @return why it has no value there; empty: it does not know, or has one
+  std::string why_no_value(const State& at) const {
+    return can_->why_no_value ? can_->why_no_value(self_, at) : std::string();
   }
   /// @return whether it finds the moment of its jumps
   bool locates_jumps() const { return can_->first_jump; }

@@ -110,8 +110,13 @@ void weigh(const kinematics::Particles& particles, schemes::Out f) {
 
 void attract(const kinematics::Particles& particles, schemes::In r, schemes::Out f) {
   static laws::Scratch scratch;
-  const laws::At<> at{
-      .t = 0.0, .position = {r.data(), N, 3}, .mass = particles.mass, .radius = particles.radius, .scratch = scratch};
+  static const Eigen::VectorXd inverse_mass = kinematics::inverse_masses(particles);
+  const laws::At<> at{.t = 0.0,
+                      .position = {r.data(), N, 3},
+                      .mass = particles.mass,
+                      .radius = particles.radius,
+                      .inverse_mass = inverse_mass,
+                      .scratch = scratch};
   if (!add_force(field, Space{}, at, laws::Forces(f.data(), N, 3))) throw std::runtime_error("no force");
 }
 
