@@ -33,8 +33,6 @@ void add_compensated(const Eigen::VectorXd& start, const Eigen::VectorXd& change
   carry = (sum - start) - change;
 }
 
-double largest(const Eigen::VectorXd& x) { return x.size() > 0 ? x.cwiseAbs().maxCoeff() : 0.0; }
-
 Sizes sizes_of(const CollocationSettings& settings) {
   return {.size = settings.size, .speed = settings.speed, .each = settings.sizes};
 }
@@ -69,18 +67,22 @@ bool AnyCollocation::predict(const Problem& problem, const State& from, double d
 // the rates at its end do.
 bool AnyCollocation::prepare_newton(const Problem& problem, const State& from, double dt, const State& to) {
   scales_.look(problem, from, dt, to);
-  sizes_ = scales_.unknowns();
-  if (n_ + m_ > 0 && sizes_.minCoeff() <= ErrorScales::smallest) {
+  Eigen::VectorXd sizes = scales_.unknowns();
+  if (n_ + m_ > 0 && sizes.minCoeff() <= ErrorScales::smallest) {
     stage_ = to;
     if (!rates_here(problem, to.t)) return false;
     stage_.r = to.r + (dt * dt) * f_.head(n_);
     if (m_ > 0) stage_.y = to.y + dt * f_.tail(m_);
     scales_.look(problem, from, dt, stage_);
-    sizes_ = scales_.unknowns();
+    sizes = scales_.unknowns();
     stage_.y = from.y;
   }
+  range_TOL_.resize(m_);
+  if (m_ > 0) {
+    for (const Range& range : problem.ranges(m_)) range_TOL_.segment(range.first, range.size).setConstant(range.TOL);
+  }
   const bool bad = retried_ || rate_ > slow;
-  return solver_.newton.prepare(problem, from, dt, {.A = A_, .sizes = sizes_, .speed = scales_.speed(), .bad = bad});
+  return solver_.newton.prepare(problem, from, dt, {.A = A_, .sizes = sizes, .speed = scales_.speed(), .bad = bad});
 }
 
 Iteration AnyCollocation::sweep(const Problem& problem, const State& from, double dt, State& to) {
@@ -88,7 +90,7 @@ Iteration AnyCollocation::sweep(const Problem& problem, const State& from, doubl
   if (is_newton()) {
     finish(from, dt, to);
     measures_.motion().normalize(1.0, 0.0);
-    return measures_.motion().record(stage_change(image_, from, dt));
+    return measures_.motion().record(stage_change(image_, dt));
   }
   before_ = needs_speed_ ? to.v : to.r;
   before_y_ = to.y;
@@ -124,6 +126,10 @@ void AnyCollocation::measure_motion(const Problem& problem, const State& from, d
 
 Truncation AnyCollocation::truncation(const Problem& problem, const State& from, double dt, const State& to) {
   scales_.look(problem, from, dt, to);
+  if (S() == 1 && settings_.guess == Guess::free_flight) {
+    if (!has_old_ && !rates_at_start(problem, from)) return {};
+    guessed_ = has_old_ ? Eigen::VectorXd(old_.col(0)) : start_;
+  }
   if (order_ % 2 == 0 || m_ == 0) return leading_coefficient(dt);
   const Truncation of_values = defect_at_start(problem, from, dt);
   if (n_ == 0) return of_values;
@@ -201,6 +207,7 @@ void AnyCollocation::begin_step(const Problem& problem, const State& from) {
     has_old_ = false;
     carry_.clear(from);
   }
+  scales_.check(n_ + m_);
   k_.resize(n_ + m_, S());
   f_.resize(n_ + m_);
   stage_.y = from.y;
@@ -315,22 +322,20 @@ void AnyCollocation::mix() {
   }
 }
 
-// Largest change of a stage, each number over its size.
-double AnyCollocation::stage_change(const Eigen::MatrixXd& change, const State& from, double dt) const {
+// Largest change of a stage, each number over its size, values over the tolerance of their range too.
+double AnyCollocation::stage_change(const Eigen::MatrixXd& change, double dt) const {
+  if (!change.allFinite()) return std::numeric_limits<double>::quiet_NaN();
   double biggest = 0.0;
-  const auto look_at = [&](const auto& rows, const Eigen::VectorXd& at, const Eigen::VectorXd& least, double power,
-                           const CollocationTable::Square& A) {
-    for (Eigen::Index i = 0; i < S(); ++i) {
-      Eigen::VectorXd moved = Eigen::VectorXd::Zero(at.size());
-      add_weighted(A.row(i).data(), power, rows, moved);
-      biggest = std::max(biggest, largest(moved.cwiseQuotient(at.cwiseAbs().cwiseMax(least))));
-      if (!moved.allFinite()) return false;
-    }
-    return true;
-  };
-  const bool finite = (n_ == 0 || look_at(change.topRows(n_), from.r, sizes_.head(n_), dt * dt, table_->A_bar)) &&
-                      (m_ == 0 || look_at(change.bottomRows(m_), from.y, sizes_.tail(m_), dt, table_->A));
-  return finite ? biggest : std::numeric_limits<double>::quiet_NaN();
+  Eigen::VectorXd moved;
+  for (Eigen::Index i = 0; i < S(); ++i) {
+    moved.setZero(n_);
+    add_weighted(table_->A_bar.row(i).data(), dt * dt, change.topRows(n_), moved);
+    if (n_ > 0) biggest = std::max(biggest, scales_.of_places(moved));
+    moved.setZero(m_);
+    add_weighted(table_->A.row(i).data(), dt, change.bottomRows(m_), moved);
+    if (m_ > 0) biggest = std::max(biggest, scales_.of_values(moved.cwiseQuotient(range_TOL_)));
+  }
+  return biggest;
 }
 
 // The rates with the other one of the weights b and b_bar than the state that is measured, over the same powers of the
@@ -385,7 +390,6 @@ double AnyCollocation::of_motion(const Eigen::VectorXd& a, double dt) const {
 Truncation AnyCollocation::leading_coefficient(double dt) {
   if (n_ + m_ == 0) return {.error = 0.0, .order = order_};
   if (S() == 1) {
-    if (settings_.guess == Guess::free_flight) return {};
     change_ = k_.col(0) - guessed_;
   } else {
     change_.setZero(k_.rows());

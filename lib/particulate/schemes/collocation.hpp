@@ -97,7 +97,7 @@ class AnyCollocation {
   /// @param from     state at the start
   /// @param dt       step [s]
   /// @param to       state at its end
-  /// @return the error and its order; NaN where the last step is unknown and one stage tells nothing
+  /// @return the error and its order
   Truncation truncation(const Problem& problem, const State& from, double dt, const State& to);
 
   /// Keeps the polynomial of the step just made, and what rounding added to its end.
@@ -145,7 +145,7 @@ class AnyCollocation {
   bool renew_rates(const Problem& problem, const State& from, double dt);
   void draw_through(Eigen::Index i);
   void mix();
-  double stage_change(const Eigen::MatrixXd& change, const State& from, double dt) const;
+  double stage_change(const Eigen::MatrixXd& change, double dt) const;
   void finish(const State& from, double dt, State& to);
   void weigh_otherwise(double dt);
   void measure(const Problem& problem, const State& from, double dt, const State& to);
@@ -162,7 +162,7 @@ class AnyCollocation {
   StageSolver solver_;
   PartMeasures measures_;
   ErrorScales scales_;
-  Eigen::VectorXd sizes_;            // of the unknowns, for Newton
+  Eigen::VectorXd range_TOL_;        // of each value, for Newton
   Eigen::Index n_ = 0, m_ = 0;       // places, and values with rates: the rows of what follows
   Eigen::MatrixXd k_, old_, image_;  // rates (a, dy), one column a stage
   Eigen::VectorXd f_, start_, guessed_;
@@ -201,11 +201,11 @@ class AnyCollocation {
 /// The error of the step is estimated without a further right-hand side. The leading coefficient of the polynomial
 /// through the rates, over their size, \f$ \eta \approx (h/\rho)^{s-1} \f$, tells how far a solution of radius of
 /// convergence \f$ \rho \f$ is resolved, and the step of order p leaves \f$ h |k|\,(h/\rho)^p = h|k|\,\eta^{p/(s-1)}
-/// \f$ (for s = 1 the change from the last step's rates is taken). It is blind in a step in which that coefficient
-/// passes zero, as it may at a turning point: there the largest step that a control allows must do. Radau on values,
-/// made for stiff problems, where that power is not reached, estimates with order s by the defect of its polynomial at
-/// the start of the step, \f$ \gamma h\,(I - \gamma h J)^{-1}(f(t, y) - \sum_j l_j(0) k_j) \f$: @cite hairer1996,
-/// section IV.8.
+/// \f$ (for s = 1 the change from the last step's rates is taken, at first from those at the start). It is blind in a
+/// step in which that coefficient passes zero, as it may at a turning point: there the largest step that a control
+/// allows must do. Radau on values, made for stiff problems, where that power is not reached, estimates with order s by
+/// the defect of its polynomial at the start of the step, \f$ \gamma h\,(I - \gamma h J)^{-1}(f(t, y) - \sum_j l_j(0)
+/// k_j) \f$: @cite hairer1996, section IV.8.
 ///
 /// A scheme is a value: its copy is a checkpoint. What it remembers holds only where the next step starts exactly at
 /// the end of the last, with the same problem; elsewhere, and after forget(), it begins anew.

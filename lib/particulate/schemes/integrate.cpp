@@ -347,6 +347,12 @@ class Run {
 
 }  // namespace
 
+void refuse_tolerance_of_sweeps() {
+  throw std::invalid_argument(
+      "run: a TOL bounds what the sweeps of a step leave, and this scheme makes none: leave it out, or take a scheme "
+      "that sweeps");
+}
+
 Outcome run(const Task& task) {
   validate_run(task.problem.traits(), task.state, task.t_end);
   task.control_can.validate(task.control);

@@ -150,6 +150,8 @@ struct Task {
 
 Outcome run(const Task& task);
 
+[[noreturn]] void refuse_tolerance_of_sweeps();
+
 // Whether a scheme can find the jumps of a problem; of an erased one that is not known before a run starts.
 template <class S, class P>
 concept LocatesFor = Dense<S> || std::same_as<std::remove_const_t<P>, Problem> || !LocatesJumps<P>;
@@ -161,6 +163,16 @@ Outcome integrate(P& problem, State& state, double t_end, S& scheme, C& control,
                 "problem");
   static_assert(LocatesFor<S, P>,
                 "events and located jumps need a scheme with dense output, at(from, dt, theta, there)");
+  static_assert(
+      EstimatesTruncation<S> || !NeedsTruncation<C>,
+      "this control goes by an estimate of the error of each step, and the scheme has none: take Collocation, "
+      "or FixedStep");
+  static_assert(Iterative<S> || !NeedsSweeps<C>,
+                "this control goes by the sweeps of a scheme, and this one makes none: take FixedStep, or ErrorControl "
+                "for a scheme that estimates its error");
+  if constexpr (BoundsSweeps<C> && !Iterative<S>) {
+    if (control.bounds_sweeps()) refuse_tolerance_of_sweeps();
+  }
   auto observe = [&](const State& from, const State& to, double dt) -> bool {
     return observer(from, to, dt, std::as_const(scheme));
   };

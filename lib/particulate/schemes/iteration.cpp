@@ -7,14 +7,13 @@
 
 #include <fmt/format.h>
 
+#include <particulate/schemes/scales.hpp>
+
 namespace particulate::schemes {
 
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
-
-// A step that moves everything by less than this share of its size is as good as none.
-constexpr double at_rest = 1e-8;
 
 // Where rounding rules, the changes go up and down within some roundings.
 constexpr double some_roundings = 64.0;
@@ -33,7 +32,8 @@ void IterationMeasure::begin(int p, std::string_view field) {
 
 void IterationMeasure::normalize(double displacement, double size) {
   const double whole = size + displacement;
-  denominator_ = std::max(displacement, at_rest * whole);
+  denominator_ = std::max(displacement, epsilon * whole);
+  it_.rests = displacement <= ErrorScales::at_rest * whole;
   it_.rounding = denominator_ > 0.0 ? epsilon * whole / denominator_ : 0.0;
 }
 
@@ -132,8 +132,9 @@ Iteration PartMeasures::worst() {
 }
 
 const Iteration& worst_of(std::span<const Iteration> all) {
-  return *std::max_element(all.begin(), all.end(), [](const Iteration& a, const Iteration& b) {
-    return a.evaluated != b.evaluated ? a.evaluated : a.w_K < b.w_K;
+  const auto left = [](const Iteration& it) { return met(it, 0.0) ? 0.0 : it.w_K; };
+  return *std::max_element(all.begin(), all.end(), [&](const Iteration& a, const Iteration& b) {
+    return a.evaluated != b.evaluated ? a.evaluated : left(a) < left(b);
   });
 }
 

@@ -11,9 +11,6 @@ namespace particulate::schemes {
 
 namespace {
 
-// A step that moves everything by less than this share of the spacing is as good as none.
-constexpr double at_rest = 1e-8;
-
 // NaN is the worst.
 double worse(double a, double b) { return b >= a || std::isnan(b) ? b : a; }
 
@@ -39,7 +36,7 @@ void validate(std::string_view whose, const Sizes& sizes) {
 void ErrorScales::look(const Problem& problem, const State& from, double dt, const State& to) {
   values_ = problem.traits().values;
   n_ = from.r.size();
-  if (given_.each.size() > 0) require_length(n_ + (values_ ? from.y.size() : 0));
+  check(n_ + (values_ ? from.y.size() : 0));
   if (n_ > 0) look_at_motion(problem, from, dt, to);
   if (values_) look_at_values(problem, from, to);
 }
@@ -111,8 +108,8 @@ Eigen::VectorXd ErrorScales::unknowns() const {
   return all;
 }
 
-void ErrorScales::require_length(Eigen::Index unknowns) const {
-  if (given_.each.size() == unknowns) return;
+void ErrorScales::check(Eigen::Index unknowns) const {
+  if (given_.each.size() == 0 || given_.each.size() == unknowns) return;
   throw std::invalid_argument(
       fmt::format("sizes must be one for each of {} unknowns, got {}", unknowns, given_.each.size()));
 }

@@ -47,9 +47,16 @@ class ErrorScales {
   /// Nothing is compared with less: below it numbers lose digits.
   static constexpr double smallest = std::numeric_limits<double>::min() / std::numeric_limits<double>::epsilon();
 
+  /// A step that moves everything by less than this share of its size is as good as none.
+  static constexpr double at_rest = 1e-8;
+
   ErrorScales() = default;
   /// @param given  valid
   explicit ErrorScales(Sizes given) : given_(std::move(given)) {}
+
+  /// @param unknowns  numbers in (r, y)
+  /// @throws std::invalid_argument if sizes were given for another number
+  void check(Eigen::Index unknowns) const;
 
   /// Takes the sizes of a step.
   ///
@@ -78,7 +85,6 @@ class ErrorScales {
   double speed() const { return speed_; }
 
  private:
-  void require_length(Eigen::Index unknowns) const;
   void look_at_motion(const Problem& problem, const State& from, double dt, const State& to);
   void look_at_values(const Problem& problem, const State& from, const State& to);
 

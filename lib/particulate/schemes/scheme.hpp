@@ -29,6 +29,7 @@ struct Iteration {
   int p = 2;                    ///< contraction ~ Dt^p: 2 for second-order problems, 1 for first-order ones [-]
   bool evaluated = true;        ///< false: the problem had no value, or no finite one, at some iterate
   double rounding = 0.0;        ///< what one rounding of the state makes of w: no w below it means anything [-]
+  bool rests = false;           ///< whether the first displacement is below 1e-8 of the state, so that rounding will do
   std::string_view field = {};  ///< where a state has several parts, the name of this one; it outlives the run
 };
 
@@ -102,7 +103,8 @@ concept Measured = requires(const S& s) {
   { s.iterations() } -> std::convertible_to<std::span<const Iteration>>;
 };
 
-/// Ability of a scheme: `truncation(problem, from, dt, to)` estimates the error of the step just made.
+/// Ability of a scheme: `truncation(problem, from, dt, to)` estimates the error of the step just made, of the first
+/// step too: where it cannot, NaN, the step is refused.
 template <class S>
 concept EstimatesTruncation = requires(S& s, const Problem& p, const State& from, double dt, const State& to) {
   { s.truncation(p, from, dt, to) } -> std::same_as<Truncation>;
@@ -136,6 +138,21 @@ concept FixesStep = C::fixes_step;
 template <class C>
 concept FixesSweeps = C::fixes_sweeps && requires(const C& c) {
   { c.sweeps } -> std::convertible_to<int>;
+};
+
+/// Ability of a controller: `needs_truncation`, a constant. A scheme without an estimate does not compile under it.
+template <class C>
+concept NeedsTruncation = C::needs_truncation;
+
+/// Ability of a controller: `needs_sweeps`, a constant. A scheme that makes none does not compile under it.
+template <class C>
+concept NeedsSweeps = C::needs_sweeps;
+
+/// Ability of a controller: `bounds_sweeps()`, whether it has a tolerance for sweeps. Under it a scheme that makes none
+/// is refused when a run starts.
+template <class C>
+concept BoundsSweeps = requires(const C& c) {
+  { c.bounds_sweeps() } -> std::same_as<bool>;
 };
 
 /// Ability of a controller: `ignores_truncation`, a constant. No estimate is then made for it, which may cost
