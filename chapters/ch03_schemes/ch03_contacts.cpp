@@ -70,9 +70,9 @@ void contacts(const Parameters& p, const report::Output& output, bool quick, rep
     schemes::Outcome outcome = schemes::integrate(mild.problem, state, period, scheme, control, read);
     state = Pair::start();
     scheme.forget();
-    schemes::Watch watch({.functions = [&](const schemes::State& at, schemes::Out g) { g[0] = at.r[0] - level; },
-                          .directions = {schemes::Direction::falling},
-                          .names = {"near"}});
+    schemes::Watch watch({{.function = [&](const schemes::State& at) { return at.r[0] - level; },
+                           .direction = schemes::Direction::falling,
+                           .name = "near"}});
     outcome = schemes::integrate(mild.problem, state, period, scheme, control, watch);
     if (outcome.status == schemes::Status::stopped) off[2] = std::abs(state.t - moment);
     events.add({n, off[0], off[1], off[2]});

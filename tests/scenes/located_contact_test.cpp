@@ -193,9 +193,9 @@ BOOST_AUTO_TEST_CASE(is_unsettled_where_forces_have_no_value) {
 BOOST_AUTO_TEST_CASE(goes_with_events) {
   const Bouncing scene = dropped(1.0);
   State ball = start(scene);
-  Watch watch({.functions = [](const State& at, Out g) { g[0] = at.v[2]; },
-               .directions = {Direction::falling},
-               .actions = {particulate::schemes::Action::record}});
+  Watch watch({{.function = [](const State& at) { return at.v[2]; },
+                .direction = Direction::falling,
+                .action = particulate::schemes::Action::record}});
   const Outcome outcome = run(scene, ball, 5.5 * fall, ExactFall(), FixedStep{.step = 0.5}, watch);
   BOOST_TEST(outcome.impacts == 3);
   BOOST_REQUIRE(watch.hits().size() == 2U);

@@ -80,9 +80,13 @@ inline particulate::schemes::State bouncing_truth(const BouncingScene& scene, co
 
 /// Events of N balls: each one's lowest point comes down to the ground.
 inline particulate::reference::Events ground_events(Eigen::Index N) {
-  return {.functions = [](const particulate::schemes::State& at,
-                          particulate::schemes::Out g) { g = positions(at).col(2).array() - ball_radius; },
-          .directions = std::vector(static_cast<std::size_t>(N), particulate::reference::Direction::falling)};
+  particulate::reference::Events events;
+  for (Eigen::Index i = 0; i < N; ++i) {
+    events.push_back(
+        {.function = [i](const particulate::schemes::State& at) { return position(at, i).z() - ball_radius; },
+         .direction = particulate::reference::Direction::falling});
+  }
+  return events;
 }
 
 /// What an impact on the ground does: the law itself, e u back, without forces meanwhile.

@@ -173,11 +173,18 @@ struct StepPath {
   void (*at)(const void* scheme, const State& from, double dt, double theta, State& there);  ///< its dense output
   const State& from;                                                                         ///< its start
   double dt;                                                                                 ///< its length [s]
-  int intervals;  ///< to sample it in: twice its degree, for Gauss
+  int intervals;              ///< to sample it in: twice its degree, for Gauss
+  const State* to = nullptr;  ///< its end, which dense output meets to rounding alone; none: it must do
 
   /// @param theta  fraction of the step, from 0 to a little beyond 1 [-]
   /// @param there  receives the state
-  void operator()(double theta, State& there) const { at(scheme, from, dt, theta, there); }
+  void operator()(double theta, State& there) const {
+    if (to && theta == 1.0) {
+      there = *to;
+    } else {
+      at(scheme, from, dt, theta, there);
+    }
+  }
 };
 
 /// Ability: `first_jump(path, end)`, the first fraction in (0, end] of a step at which the state must jump, if any. The
