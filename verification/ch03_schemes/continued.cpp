@@ -98,8 +98,10 @@ template <class S>
 void continue_near_field(Rows& rows, const std::string& method, NearFieldScene& scene, const S& scheme) {
   const State start = scenes::start(scene);
   compare_continued(rows, method + ", fixed step", scene, start, 1.4, scheme, FixedStep{.step = 1.0 / 64.0});
-  compare_continued(rows, method + ", Phi_K control", scene, start, 1.4, scheme,
-                    PhiControl{.TOL = 1e-10, .K_d = 4, .step = 0.05, .limit = 0.05});
+  if constexpr (Iterative<S>) {
+    compare_continued(rows, method + ", Phi_K control", scene, start, 1.4, scheme,
+                      PhiControl{.TOL = 1e-10, .K_d = 4, .step = 0.05, .limit = 0.05});
+  }
   if constexpr (EstimatesTruncation<S>) {
     compare_continued(rows, method + ", error control", scene, start, 1.4, scheme,
                       ErrorControl{.TOL = 1e-4, .sweep_TOL = 1e-8, .step = 0.02, .limit = 0.1});
