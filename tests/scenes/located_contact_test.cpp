@@ -63,7 +63,7 @@ template <class S>
 void bounces_as_exactly(S scheme) {
   const Bouncing scene = dropped(0.8);
   State ball = start(scene), exact = ball;
-  const Outcome outcome = run(scene, ball, 1.5, scheme, FixedStep{.step = 0.13, .TOL = 1e-15});
+  const Outcome outcome = run(scene, ball, 1.5, scheme, equal_steps<S>(0.13, 1e-15));
   BOOST_TEST(run(scene, exact, 1.5, ExactFall(), FixedStep{.step = 0.13}).impacts == outcome.impacts);
   BOOST_TEST(outcome.reason == "");
   BOOST_TEST(close(flat(ball), flat(exact), {.absolute = 1e-11}));

@@ -31,8 +31,8 @@ template <class S, class P>
 void runs_as_if_new(S& used, const S& fresh, P& problem, const State& start, double TOL = 1e-9) {
   State one = start, other = start;
   S anew = fresh;
-  const Outcome by_used = run(problem, one, start.t + 1.0, used, FixedStep{.step = 0.125, .TOL = TOL});
-  const Outcome by_fresh = run(problem, other, start.t + 1.0, anew, FixedStep{.step = 0.125, .TOL = TOL});
+  const Outcome by_used = run(problem, one, start.t + 1.0, used, equal_steps<S>(0.125, TOL));
+  const Outcome by_fresh = run(problem, other, start.t + 1.0, anew, equal_steps<S>(0.125, TOL));
   BOOST_TEST(by_fresh.reason == "");
   BOOST_TEST(close(flat(one), flat(other), {}));
   BOOST_TEST(by_used.evaluations == by_fresh.evaluations);
@@ -76,7 +76,7 @@ template <class S>
 void sees_a_change_in_place(S scheme) {
   S fresh = scheme;
   Spring spring;
-  FixedStep control{.step = 0.125, .TOL = 1e-13};
+  FixedStep control = equal_steps<S>(0.125, 1e-13);
   State state = displaced();
   BOOST_TEST(integrate(spring, state, 1.0, scheme, control).steps == 8);
   spring.stiffness = 4.0;
@@ -88,7 +88,8 @@ void sees_a_change_in_place(S scheme) {
 
 // One run and two parts of it.
 template <class S>
-void continues_to_the_same_bits(S scheme, FixedStep control) {
+void continues_to_the_same_bits(S scheme) {
+  FixedStep control = equal_steps<S>(0.125, 1e-7);
   S other = scheme;
   Driven problem;
   State whole = Driven::at(0.0), parts = whole;
@@ -122,11 +123,10 @@ BOOST_AUTO_TEST_CASE(with_a_problem_that_was_changed_in_place) {
 }
 
 BOOST_AUTO_TEST_CASE(where_the_last_run_ended_with_what_that_knew) {
-  const FixedStep control{.step = 0.125, .TOL = 1e-7};
-  continues_to_the_same_bits(Collocation<Gauss<3>>(), control);
-  continues_to_the_same_bits(Collocation<Gauss<3>, Newton<>>(), control);
-  continues_to_the_same_bits(VelocityVerlet(), control);
-  continues_to_the_same_bits(PhiFamily<Anderson>(0.5), control);
+  continues_to_the_same_bits(Collocation<Gauss<3>>());
+  continues_to_the_same_bits(Collocation<Gauss<3>, Newton<>>());
+  continues_to_the_same_bits(VelocityVerlet());
+  continues_to_the_same_bits(PhiFamily<Anderson>(0.5));
 }
 
 // Stale, the Jacobian of the soft spring would let Newton diverge on the stiff one: the step is not refused.

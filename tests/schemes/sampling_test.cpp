@@ -27,7 +27,7 @@ double error_of(S scheme, int steps) {
   State state = Driven::at(0.0);
   Sampling samples({0.13, 0.77, 1.01, 1.57, 1.93},
                    [&](const State& at) { error = std::max(error, (flat(at) - flat(Driven::at(at.t))).norm()); });
-  const Outcome outcome = run(Driven{}, state, 2.0, scheme, FixedStep{.step = 2.0 / steps, .TOL = 1e-12}, samples);
+  const Outcome outcome = run(Driven{}, state, 2.0, scheme, equal_steps<S>(2.0 / steps, 1e-12), samples);
   BOOST_REQUIRE(outcome.steps == steps);
   BOOST_REQUIRE(samples.left() == 0);
   return error;
