@@ -30,10 +30,13 @@ refuses() {
 
 # --- literate.awk ----------------------------------------------------------------------------------------------------
 literate() { awk -f "$docs/literate.awk" "$@"; }
-printf '%s\n' '//! @page a A' '' 'int f();' '' '  //! Indented.' '' 'int g();' >good.cpp
+printf '%s\n' '//! @page a A' '' '#include <a>' '' '#include <b>' '' 'int f();' '' '  //! Indented.' '' 'int g();' >good.cpp
 literate good.cpp >good.out
-printf '%s\n' '//! @page a A' '//! @code{.cpp}' '//! int f();' '//! @endcode' '//! Indented.' '//! @code{.cpp}' \
-  '//! int g();' '//! @endcode' | diff - good.out || complain 'literate.awk must turn blank lines into fences'
+printf '%s\n' '//! @page a A' \
+  '//! @htmlonly[block]<details><summary>What it includes</summary>@endhtmlonly @code{.cpp}' '//! #include <a>' '//!' \
+  '//! #include <b>' '//! @endcode @htmlonly[block]</details>@endhtmlonly @code{.cpp}' '//! int f();' '//! @endcode' \
+  '//! Indented.' '//! @code{.cpp}' '//! int g();' '//! @endcode' '//!' '//! @htmlinclude a_onward.html' |
+  diff - good.out || complain 'literate.awk must turn blank lines into fences, fold includes, and end with what comes next'
 printf '%s\n' '//! @page a A' 'int f();' >bad.cpp
 refuses 2 'bad.cpp:2: literate: blank line needed before code' literate bad.cpp
 printf '%s\n' '//! @page a A' '' 'int f();' '//! prose' >bad.cpp
@@ -43,6 +46,28 @@ refuses 2 'literate: blank line needed before code' literate bad.cpp
 printf '%s\n' '//! prose' >bad.cpp
 refuses 2 'no @page' literate bad.cpp
 
+# --- chapters.awk ----------------------------------------------------------------------------------------------------
+chapters() { awk -f "$docs/chapters.awk" -v briefs=ch01 -v verified=ch01 -v out=. -v list=chapters.md "$@"; }
+printf '//! %s\n' '@page ch01_b B' '@brief The second.' >ch01_b.cpp
+printf '//! %s\n' '@page ch01_a A' '@brief The first.' 'See @subpage ch01_c, @subpage ch01_b.' '@section s S' \
+  '@figure{ch01_f, One\, two < three.}' '@figure{ch01_g, Another.}' >ch01_a.cpp
+printf '//! %s\n' '@page ch01_c C' '@brief The third.' >ch01_c.cpp
+printf '%s\n' before '@chapter_list@' after >chapters.md.in
+chapters ch01_*.cpp chapters.md.in
+printf '%s\n' before '- @subpage ch01_a : The first. What it claims is @ref verify_ch01 "verified". Its @ref assignment_ch01 "assignment" grades itself.' \
+  '  - @ref ch01_c : The third.' '  - @ref ch01_b : The second.' after | diff - chapters.md ||
+  complain 'chapters.awk must list pages in the order in which they name one another'
+holds gallery.html '<a href="ch01_a.html#s"><img src="ch01_f.svg"' 'One, two &lt; three.'
+lacks gallery.html ch01_g
+holds ch01_a_onward.html '<a href="ch01_c.html">C</a>' 'assignment_ch01.html' 'verify_ch01.html'
+lacks ch01_b_onward.html Next
+sed -i 2d ch01_b.cpp
+refuses 2 'ch01_b has no @brief' chapters ch01_*.cpp chapters.md.in
+mkdir -p ch01_a/assignment
+printf '%s\n' '# Do it' 'See [the chapter](../ch01_a.cpp).' >ch01_a/assignment/README.md
+awk -f "$docs/brief.awk" ch01_a/assignment/README.md >brief.out
+printf '%s\n' '# Do it {#assignment_ch01}' 'See @ref ch01_a.' | diff - brief.out || complain 'brief.awk must make a page of a brief'
+
 # --- equations.awk ---------------------------------------------------------------------------------------------------
 equations() { awk -f "$docs/equations.awk" "$@"; }
 mkdir -p lib/particulate/topic
@@ -50,6 +75,8 @@ cat >lib/particulate/topic/laws.hpp <<'H'
 namespace particulate::topic {
 /// A law.
 ///
+/// \f[ \|x\| = 2, \qquad y =
+///      3. \f]
 /// @equation{M 2.15} And why.
 struct Law {
   double e = 1.0;  ///< restitution @equation{R 2.4.2}
@@ -63,22 +90,24 @@ template <class D, class E = Law>
   requires Domain<D>
 inline bool add_force(const Law& law,
                       const D& domain);
-/// @equation{M 1.33}
+/// @equation{M 1.33} of \f$ b \f$ and \f$ e = 1 \f$
 inline constexpr double ruler = 1.0;
 }  // namespace particulate::topic
 H
-equations lib/particulate/topic/laws.hpp | grep '^| [MDR]' >index
+equations -v chapters='ch01_fundamentals' lib/particulate/topic/laws.hpp >page
+grep '^| [MDR]' page >index
 cat >expected <<'H'
-| D 1.4.3 | [derived here](@ref provenance) | @ref particulate::topic::Law::at "topic::Law::at" | @ref particulate/topic/laws.hpp |
-| M 1.33 | [stated in the monograph](@ref provenance) | @ref particulate::topic::ruler "topic::ruler" | @ref particulate/topic/laws.hpp |
-| M 1.39–1.41 | [stated in the monograph](@ref provenance) | @ref particulate::topic::add_force "topic::add_force" | @ref particulate/topic/laws.hpp |
-| M about 2.3 | [stated in the monograph](@ref provenance) | @ref particulate::topic::add_force "topic::add_force" | @ref particulate/topic/laws.hpp |
-| R 2.4.2 | [reconstruction](@ref provenance) | @ref particulate::topic::Law::e "topic::Law::e" | @ref particulate/topic/laws.hpp |
-| M 2.15 | [stated in the monograph](@ref provenance) | @ref particulate::topic::Law "topic::Law" | @ref particulate/topic/laws.hpp |
+| M (1.33) | \f$ \begin{aligned} & e = 1 \end{aligned} \f$ | @ref particulate::topic::ruler "topic::ruler" |
+| M (1.39–1.41) |  | @ref particulate::topic::add_force "topic::add_force" |
+| D section 1.4.3 |  | @ref particulate::topic::Law::at "topic::Law::at" |
+| M about (2.3) |  | @ref particulate::topic::add_force "topic::add_force" |
+| M (2.15) | \f$ \begin{aligned} & \Vert x\Vert  = 2, \\ & y = 3 \end{aligned} \f$ | @ref particulate::topic::Law "topic::Law" |
+| R section 2.4.2 | restitution | @ref particulate::topic::Law::e "topic::Law::e" |
 H
-diff expected index || complain 'equations.awk must list six equations in the order of their numbers'
+diff expected index || complain 'equations.awk must list six equations, equations before sections, in the order of their numbers'
+holds page '## Chapter 2 {#equations_2}' 'The program: @ref ch01_fundamentals.' '@ref map_2 "map"'
 equations -v filter=1 lib/particulate/topic/laws.hpp >filtered
-holds filtered '/// @equation_row{M 2.15,stated in the monograph} And why.' '@equation_row{M about 2.3,stated'
+holds filtered '/// @equation_row{M (2.15),stated in the monograph} And why.' '@equation_row{M about (2.3),stated'
 [ "$(wc -l <filtered)" = "$(wc -l <lib/particulate/topic/laws.hpp)" ] || complain 'the filter must keep the lines'
 for bad in 'X 1.3' 'M 33' 'M1.33' 'D 1.4.3, 1.5' ''; do
   printf '/// @equation{%s}\nvoid f();\n' "$bad" >lib/bad.hpp
@@ -93,6 +122,10 @@ refuses 2 'no @equation' equations lib/bad.hpp
 printf 'load style\nset output "ch01_line.svg"\nplot data."/line.csv" using 1:2 with lines title "line"\n' >line.gp
 mkdir -p data
 printf 'x,y\n1,2\n2,3\n' >data/line.csv
+refuses 1 'has no stamp' "$docs/draw.sh" line.gp "$work/figures" "data=$work/data"
+echo '{}' >data/stamp.json && touch data/unfinished.txt
+refuses 1 'has no stamp' "$docs/draw.sh" line.gp "$work/figures" "data=$work/data"
+rm data/unfinished.txt
 "$docs/draw.sh" line.gp "$work/figures" "data=$work/data"
 holds figures/ch01_line.svg 'prefers-color-scheme:dark' '</svg>'
 lacks figures/ch01_line.svg 'fill="#ffffff"'
@@ -107,12 +140,17 @@ refuses 2 'not an SVG that gnuplot finished' awk -v out="$work/bad" -f "$docs/sv
 mkdir -p run tables pages work
 printf 'name,value [m]\r\n"a, ""b"" <c>\n@d",0.30000000000000004\r\nnone,nan\r\n' >run/short.csv
 { echo n && seq 101; } >run/long.csv
+printf 'what,caught by\nsign,"ch01: period, race; ch02: x"\n' >run/caught.csv
 echo 'alpha1 = 0.5' >run/parameters.toml
 "$guide" tables run ch01 tables
 holds tables/ch01_short.html 'a, &quot;b&quot; &lt;c&gt;' '&#64;d' '<td class="number">0.3</td>' '<th class="number">value [m]</th>'
 holds tables/ch01_parameters.toml 'alpha1 = 0.5'
+holds tables/ch01_caught.html '<a href="verify_ch01.html#verify_ch01_period">period</a>, <a href="verify_ch01.html#verify_ch01_race">race</a>; <a href="verify_ch02.html#verify_ch02_x">'
 [ ! -e tables/ch01_long.html ] || complain 'a table of 101 rows is a curve and must not become a page'
-refuses 1 'guide:' "$guide" tables nosuch ch01 tables
+refuses 2 'guide:' "$guide" tables nosuch ch01 tables
+touch run/unfinished.txt
+refuses 2 'a run that ended' "$guide" tables run ch01 tables
+rm run/unfinished.txt
 
 # --- guide: pages ----------------------------------------------------------------------------------------------------
 head='chapter,case,claim,equation,reference,quantity,expected,computed,error,metric,tolerance,because,verdict,run,seconds'
@@ -131,6 +169,7 @@ ch01,pair,RK4,0.01,no,1e-7,1e-7,1e-15,closed form,1e-4,2e-4,1e-5,1000,0,solved
 ch01,pair,CVODE Adams,1e-3,no,,,1e-15,closed form,,,,77,0,failed: too much work
 ch01,pair,CVODE Adams,1e-14,no,5e-15,5e-15,1e-15,closed form,1e-3,1e-3,1e-4,5000,9,at floor
 H
+refuses 2 'a run that ended' "$guide" pages pages work ch01_fundamentals=run
 echo '{"revision": "abc", "seed": 7}' >run/stamp.json
 "$guide" pages pages work ch01_fundamentals=run
 holds pages/verify_ch01.md '# Chapter 1: Fundamentals, verified {#verify_ch01}' '<td class="number">2</td><td>1 closed form, 1 convergence</td>' \
@@ -146,13 +185,13 @@ holds figures/ch01_work_pair_evaluations.svg 'RK4, order 4.02' 'failed'
 holds figures/ch01_work_pair_seconds.svg '</svg>'
 
 spoil() { cp run/rows.csv rows.kept && "$@" && "$guide" pages pages work ch01_fundamentals=run; }
-refuses 1 'no column named verdict' spoil sed -i 's/verdict,run/opinion,run/' run/rows.csv
+refuses 2 'no column named verdict' spoil sed -i 's/verdict,run/opinion,run/' run/rows.csv
 mv rows.kept run/rows.csv
-refuses 1 'nothing was verified' spoil sed -i 2,99d run/rows.csv
+refuses 2 'nothing was verified' spoil sed -i 2,99d run/rows.csv
 mv rows.kept run/rows.csv
-refuses 1 'rows.csv' spoil sed -i 's/,quick,/,/' run/rows.csv
+refuses 2 'rows.csv' spoil sed -i 's/,quick,/,/' run/rows.csv
 mv rows.kept run/rows.csv
-refuses 1 'a chapter is given as chNN_slug=folder, got nonsense' "$guide" pages pages work nonsense
+refuses 2 'a chapter is given as chNN_slug=folder, got nonsense' "$guide" pages pages work nonsense
 refuses 2 'usage' "$guide" nonsense
 
 [ "$wrong" = 0 ] && echo 'every generator does what it should, and refuses what it should'

@@ -10,6 +10,16 @@ folder=$2
 shift 2
 definitions="style='$here/style.gp'; work_precision='$here/work_precision.gp'"
 for pair in "$@"; do
+  # A run is finished when its stamp is there and its list of what it has written so far is gone.
+  case $pair in
+    data=* | verification=*)
+      run=${pair#*=}
+      if [ ! -e "$run/stamp.json" ] || [ -e "$run/unfinished.txt" ]; then
+        echo "draw.sh: $run must hold the results of a run that ended, and has no stamp; run the program again" >&2
+        exit 1
+      fi
+      ;;
+  esac
   definitions="$definitions; ${pair%%=*}='${pair#*=}'"
 done
 rm -rf "$folder" "$folder.raw"

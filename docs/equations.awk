@@ -1,7 +1,8 @@
 #!/usr/bin/awk -f
 # The equations of the monograph, where the library holds them: @equation{M 1.33} in a header's doc comment.
 #
-#   awk -f docs/equations.awk lib/particulate/*/*.hpp    writes the equation index, a page, to standard output
+#   awk -f docs/equations.awk [-v chapters="ch01_slug ..."] lib/particulate/*/*.hpp
+#                                                        writes the equation index, a page, to standard output
 #   awk -f docs/equations.awk -v filter=1 header.hpp     the header again, line for line, with the provenance spelled out
 #
 # A function named in the index becomes a @ref: one that Doxygen does not know stops the documentation. So does an
@@ -13,6 +14,8 @@ BEGIN {
   split("1.12 1.13 1.19 1.28 1.29 1.30 1.33 1.39 1.40 1.41 2.1 2.13 2.15 2.22 2.40 2.42 2.43 2.46 2.47 2.48 2.49 " \
         "3.4 3.5", list, " ")
   for (k in list) legible[list[k]] = 1
+  split("1.4 2.2 3.4", list, " ")  # sections that a derivation starts from, though equations have numbers like theirs
+  for (k in list) section["D " list[k]] = 1
   rows = depth = blocks = 0
 }
 
@@ -29,9 +32,15 @@ function inferred(what, ends) {
   return !((ends[1] in legible) && (ends[2] == "" || (ends[2] in legible)))
 }
 
-# "M 1.33" as the reader sees it, "M about 1.26" where the number is inferred.
+# "M 1.33" as the reader sees it: "M (1.33)", "M about (1.26)" where the number is inferred, "M section 1.4.1".
+function is_section(what) { return what ~ /^R/ || (what in section) || what ~ /^. [1-9AB][0-9]*\.[0-9]+\.[0-9]+$/ }
+
 function shown(what) {
-  if (inferred(what)) sub(/ /, " about ", what)
+  if (is_section(what)) sub(/ /, " section ", what)
+  else {
+    if (inferred(what)) sub(/ /, " about ", what)
+    sub(/[1-9AB][0-9]*\..*/, "(&)", what)
+  }
   sub(/-/, "\342\200\223", what)
   return what
 }
@@ -61,11 +70,12 @@ filter {
 FNR == 1 {
   nothing_waits()
   header = FILENAME; sub(/^.*lib\//, "", header)
-  pending = declaration = ""; depth = 0; parens = 0
+  pending = declaration = comment = ""; depth = 0; parens = 0
 }
 
 /^[ \t]*\/\/\/[^<]/ || /^[ \t]*\/\/\/$/ {
   if ($0 ~ /[@\\]equation\{/) { what = equation_in($0); pending = pending what "|" }
+  line = $0; sub(/^[ \t]*\/\/\//, "", line); comment = comment line
   next
 }
 /^[ \t]*(#|\/\/|$)/ { next }
@@ -74,7 +84,7 @@ FNR == 1 {
   code = $0; trailing = ""
   if (match(code, /\/\/\/</)) { trailing = substr(code, RSTART); code = substr(code, 1, RSTART - 1) }
   sub(/\/\/.*/, "", code); gsub(/"([^"\\]|\\.)*"/, "\"\"", code)
-  if (trailing ~ /[@\\]equation\{/) { what = equation_in(trailing); pending = pending what "|" }
+  if (trailing ~ /[@\\]equation\{/) { what = equation_in(trailing); pending = pending what "|"; comment = trailing }
   scan(code)
 }
 
@@ -86,6 +96,7 @@ function scan(code, i, c) {
     if (c == ")") --parens
     if (parens == 0 && (c == "{" || c == ";" || c == "}")) {
       if (c != "}") settle()
+      comment = ""
       if (c == "{") scope[++depth] = scope_name()
       if (c == "}" && depth > 0) --depth
       declaration = ""
@@ -132,6 +143,30 @@ function declared_name(text) {
   return (match(text, /[A-Za-z_][A-Za-z_0-9]* *$/)) ? last_word(substr(text, RSTART)) : ""
 }
 
+# The first formula of a comment that stands on a line of its own, or else the first that says what equals what, as a
+# cell of a table can hold it.
+function formula_of(text, from, to, parts, n, k) {
+  from = index(text, "\\f["); to = index(text, "\\f]")
+  if (from) text = substr(text, from + 3, to - from - 3)
+  else {
+    n = split(text, parts, /\\f\$/)
+    for (k = 2; k <= n && parts[k] !~ /=/; k += 2) continue
+    if (k > n) return ""
+    text = parts[k] " "
+  }
+  gsub(/[ \t]+/, " ", text); sub(/^ /, "", text); sub(/[,.;]? $/, "", text)
+  gsub(/\\\|/, "\\Vert ", text); gsub(/\|/, "\\vert ", text)
+n = split(text, parts, / ?\\qquad ?(\\text\{and\} ?\\qquad)?/)
+  for (k = 2; k <= n; ++k) parts[1] = parts[1] " \\\\ & " parts[k]
+  return "\\f$ \\begin{aligned} & " parts[1] " \\end{aligned} \\f$"
+}
+
+# The first sentence, for what has no formula.
+function words_of(text) {
+  sub(/^(\/\/\/<)? /, "", text); sub(/ *[@\\][a-z].*/, "", text); sub(/\. .*/, "", text); gsub(/\|/, "", text)
+  return text
+}
+
 # A declaration is complete: it takes the equations that were waiting for it.
 function settle(name, path, d, n, list, k) {
   if (pending == "") return
@@ -140,7 +175,7 @@ function settle(name, path, d, n, list, k) {
   for (d = 1; d <= depth; ++d) if (scope[d] != "") path = path scope[d] "::"
   n = split(pending, list, "|")
   for (k = 1; k < n; ++k) {
-    ++rows; number[rows] = list[k]; name_of[rows] = path name; header_of[rows] = header; key[rows] = order(list[k])
+    ++rows; number[rows] = list[k]; name_of[rows] = path name; formula[rows] = formula_of(comment); words[rows] = words_of(comment); key[rows] = order(list[k])
   }
   pending = ""
 }
@@ -154,24 +189,45 @@ function nothing_waits() {
   }
 }
 
-# Sorts by chapter, then number by number; within one number M before D before R.
+# Sorts by chapter, equations before sections, then number by number; within one number M before D before R.
 function order(what, parts, n) {
   n = split(substr(what, 3), parts, /[.-]/)
   if (parts[1] == "A") parts[1] = 101
   if (parts[1] == "B") parts[1] = 102
-  return sprintf("%04d.%04d.%04d.%d", parts[1], parts[2], n > 2 && what !~ /-/ ? parts[3] : 0,
+  return sprintf("%04d.%d.%04d.%04d.%d", parts[1], is_section(what), parts[2], n > 2 && what !~ /-/ ? parts[3] : 0,
                  index("MDR", substr(what, 1, 1)))
 }
 
 function short_name(path) { sub(/^particulate::/, "", path); return path }
 
-# Overloads, and a struct beside its functions, may share a number: one line each, the same line only once.
-function table(i, row, seen) {
-  for (i = 1; i <= rows; ++i) {
-    row = sprintf("| %s | [%s](@ref provenance) | @ref %s \"%s\" | @ref %s |", shown(number[i]),
-                  word[substr(number[i], 1, 1)], name_of[i], short_name(name_of[i]), header_of[i])
-    if (!(row in seen)) print row
-    seen[row] = 1
+function chapter_of(what) { sub(/^. /, "", what); sub(/\..*/, "", what); return what }
+
+# A heading, with the chapter's program if there is one and its place in the map.
+function heading(chapter, number, list, n, k, program) {
+  number = sprintf(chapter ~ /[AB]/ ? "app%s_" : "ch%02d_", chapter)
+  n = split(chapters, list, " ")
+  for (k = 1; k <= n; ++k) if (index(list[k], number) == 1) program = sprintf("The program: @ref %s. ", list[k])
+  printf "\n## %s %s {#equations_%s}\n\n", chapter ~ /[AB]/ ? "Appendix" : "Chapter", chapter, chapter
+  printf "%sAll of its sections: @ref map_%s \"map\".\n\n", program, chapter
+  print "| Number | Formula | Where |\n| :--- | :--- | :--- |"
+}
+
+# Functions that share a number and its formula share a line; those that give none of their own stand with the first.
+function table(i, k, n, line, where, seen, chapter, link) {
+  for (i = 1; i <= rows; i = k) {
+    if (chapter_of(number[i]) != chapter) heading(chapter = chapter_of(number[i]))
+    n = 0; split("", line); split("", where); split("", seen)
+    for (k = i; k <= rows && number[k] == number[i]; ++k)
+      if (formula[k] != "" && !(formula[k] in where)) { line[++n] = formula[k]; where[formula[k]] = "" }
+    if (n == 0) line[++n] = words[i]
+    for (k = i; k <= rows && number[k] == number[i]; ++k) {
+      link = sprintf("@ref %s \"%s\"", name_of[k], short_name(name_of[k]))
+      if (formula[k] == "") formula[k] = line[1]
+      if (!((formula[k] link) in seen)) where[formula[k]] = where[formula[k]] (where[formula[k]] == "" ? "" : ", ") link
+      seen[formula[k] link] = 1
+    }
+    for (k = 1; k <= n; ++k) printf "| %s | %s | %s |\n", shown(number[i]), line[k], where[line[k]]
+    for (k = i; k <= rows && number[k] == number[i]; ++k) continue
   }
 }
 
@@ -183,13 +239,12 @@ END {
   if (rows == 0) { print "equations: no @equation{...} in any header given" > "/dev/stderr"; exit 2 }
   for (i = 2; i <= rows; ++i)
     for (j = i; j > 1 && key[j - 1] > key[j]; --j) {
-      swap(key, j - 1, j); swap(number, j - 1, j); swap(name_of, j - 1, j); swap(header_of, j - 1, j)
+      swap(key, j - 1, j); swap(number, j - 1, j); swap(name_of, j - 1, j); swap(formula, j - 1, j); swap(words, j - 1, j)
     }
   print "# Equation index {#equation_index}\n"
-  print "Every numbered statement of the monograph that the library holds, in the order of the numbers, with the function"
-  print "that holds it. The letter says where the formula comes from: M stated, D derived here (with the number or the"
-  print "section it starts from), R reconstructed (with its section); \"about\" marks a number that we could not read and infer"
-  print "from the order. What that means is told under @ref provenance.\n"
-  print "| Number | Provenance | Where | Header |\n| :--- | :--- | :--- | :--- |"
+  print "Every numbered statement of the monograph that the library holds, in the order of the numbers, with the formula as the"
+  print "function that holds it gives it. A number in brackets is that of an equation, any other that of a section. The letter"
+  print "says where the formula comes from: **M** is stated in the monograph, **D** derived here from that equation or section,"
+  print "**R** reconstructed (@ref provenance). *About* marks a number that we could not read and infer from the order.\n"
   table()
 }

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -17,7 +16,8 @@
 #include <fmt/format.h>
 
 #include <particulate/report/files.hpp>
-#include <particulate/report/table.hpp>
+#include <particulate/report/guarded.hpp>
+#include <particulate/report/output.hpp>
 
 namespace {
 
@@ -126,15 +126,14 @@ SUNDIALS are the verification's own tools, and are tested instead.
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
+  return report::guarded("features", [&] {
     const std::vector<std::string> arguments(argv + 1, argv + argc);
     if (arguments.size() < 4)
       throw std::runtime_error("usage: features <out.md> <lib/particulate> <verification> <cases.csv>...");
-    const auto found = users(arguments[2], {arguments.begin() + 3, arguments.end()});
+    const std::vector<std::string> tables(arguments.begin() + 3, arguments.end());
+    for (const std::string& table : tables) report::require_finished(fs::path(table).parent_path());
+    const auto found = users(arguments[2], tables);
     report::write_whole(arguments[0], page(arguments[1], found));
     return 0;
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "features: {}\n", error.what());
-    return 1;
-  }
+  });
 }

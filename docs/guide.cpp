@@ -10,7 +10,6 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
-#include <exception>
 #include <filesystem>
 #include <iterator>
 #include <limits>
@@ -25,7 +24,8 @@
 
 #include <nlohmann/json.hpp>
 #include <particulate/report/files.hpp>
-#include <particulate/report/table.hpp>
+#include <particulate/report/guarded.hpp>
+#include <particulate/report/output.hpp>
 
 namespace {
 
@@ -121,8 +121,8 @@ std::string html(const HtmlTable& table) {
   return out + "</tbody></table></div>\n";
 }
 
-// Long tables are folded; rows marked as bad always stay in sight.
-constexpr std::size_t longest_unfolded = 24;
+// What holds is folded, so that a page shows what it claims and what fails; rows marked as bad always stay in sight.
+constexpr std::size_t longest_unfolded = 3;
 
 std::string folded(const HtmlTable& table, const std::string& summary) {
   if (table.rows.size() <= longest_unfolded) return html(table);
@@ -148,7 +148,27 @@ std::string equation_link(const std::string& equation) {
 // Longer ones are curves: figures show them.
 constexpr std::size_t longest_table = 100;
 
+// "ch01: potential_slope, near_field_pairs; ch02: no_pull": each case a link to its rows.
+std::string linked_cases(const std::string& cases) {
+  if (const std::size_t group = cases.find("; "); group != std::string::npos) {
+    return linked_cases(cases.substr(0, group)) + "; " + linked_cases(cases.substr(group + 2));
+  }
+  const std::size_t colon = cases.find(": ");
+  if (colon == std::string::npos) return escaped(cases);
+  const std::string chapter = cases.substr(0, colon);
+  Strings links;
+  for (std::size_t from = colon + 2; from < cases.size();) {
+    const std::size_t end = std::min(cases.find(", ", from), cases.size());
+    links.push_back(fmt::format("<a href=\"verify_{0}.html#verify_{0}_{1}\">{1}</a>", escaped(chapter),
+                                escaped(cases.substr(from, end - from))));
+    from = end + 2;
+  }
+  return fmt::format("{}", fmt::join(links, ", "));
+}
+
 void write_tables(const fs::path& data, const std::string& prefix, const fs::path& out) {
+  // The table of planted defects is no run's, and has no stamp.
+  if (fs::exists(data / "unfinished.txt")) report::require_finished(data);
   for (const fs::directory_entry& entry : fs::directory_iterator(data)) {
     if (entry.path().extension() != ".csv") continue;
     const Csv csv(entry.path());
@@ -156,7 +176,10 @@ void write_tables(const fs::path& data, const std::string& prefix, const fs::pat
     HtmlTable table{.columns = csv.columns()};
     for (std::size_t i = 0; i < csv.size(); ++i) {
       Strings cells;
-      for (const std::string& field : csv.row(i)) cells.push_back(rounded(field, 6));
+      for (std::size_t k = 0; k < csv.columns().size(); ++k) {
+        const std::string& field = csv.row(i).at(k);
+        cells.push_back(csv.columns()[k] == "caught by" ? linked_cases(field) : rounded(field, 6));
+      }
       table.rows.push_back(cells);
     }
     const fs::path shown = out / fmt::format("{}_{}.html", prefix, entry.path().stem().string());
@@ -176,6 +199,11 @@ void write_tables(const fs::path& data, const std::string& prefix, const fs::pat
 
 // --- The guide: claims and extreme cases -----------------------------------------------------------------------------
 
+std::string capitalized(std::string text) {
+  if (!text.empty()) text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+  return text;
+}
+
 struct Chapter {
   std::string slug;  // ch01_fundamentals
   fs::path data;
@@ -186,8 +214,7 @@ struct Chapter {
     const bool appendix = name().starts_with("app");
     number = appendix ? name().substr(3) : number.substr(number.find_first_not_of('0'));
     std::replace(topic.begin(), topic.end(), '_', ' ');
-    topic.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(topic.front())));
-    return fmt::format("{} {}: {}", appendix ? "Appendix" : "Chapter", number, topic);
+    return fmt::format("{} {}: {}", appendix ? "Appendix" : "Chapter", number, capitalized(topic));
   }
 };
 
@@ -242,7 +269,7 @@ Strings summary_row(const Counts& counts) {
           fmt::format("{}", counts.extremes), fmt::format("{}", counts.extreme_failures)};
 }
 const Strings summary_columns{"Claims",         "Checked against", "Rows",
-                              "Rows that fail", "Extreme cases",   "Extreme cases that end otherwise than demanded"};
+                              "Rows that fail", "Extreme cases",   "Extreme cases that fail"};
 
 // Metrics that have no tolerance: the expected value is a bound, or the only one allowed.
 bool is_bound(const std::string& metric) {
@@ -251,7 +278,7 @@ bool is_bound(const std::string& metric) {
 
 // Every claim with its verdict, each leading to its rows: the page's table of contents.
 std::string claims_table(const Csv& rows) {
-  HtmlTable table{.columns = {"Claim", "Equation", "Checked against", "Rows", "Fail", "Case"}};
+  HtmlTable table{.columns = {"Claim", "In the monograph", "Checked against", "Rows", "Fail", "Case"}};
   for (const Case& c : cases_of(rows)) {
     const std::size_t first = c.rows.front();
     const auto failed = std::count_if(c.rows.begin(), c.rows.end(), [&](std::size_t i) { return fails(rows, i); });
@@ -264,15 +291,22 @@ std::string claims_table(const Csv& rows) {
   return html(table);
 }
 
+// "spring: runs with another start" is about a measurement, "spring, RK4: slope of the error" about a method.
+bool is_about_measuring(const Case& c, const std::string& quantity) {
+  return c.name.starts_with("work_precision") && quantity.find(": ") < quantity.find(", ");
+}
+
 std::string claim_section(const Csv& rows, const Case& c) {
   const std::size_t first = c.rows.front();
   std::string out = fmt::format("### {0} {{#verify_{1}_{0}}}\n", c.name, rows.at(first, "chapter"));
-  out +=
-      block(fmt::format("<p>{}.</p><p class=\"facts\">Equation {} &middot; checked against: {} &middot; {} run</p>\n",
-                        escaped(rows.at(first, "claim")), equation_link(rows.at(first, "equation")),
-                        escaped(rows.at(first, "reference")), escaped(rows.at(first, "run"))));
-  HtmlTable table{.columns = {"Quantity", "Expected", "Computed", "Error", "Tolerance", "Because", "Verdict"}};
+  out += block(fmt::format(
+      "<p>{}.</p><p class=\"facts\">In the monograph: {} &middot; checked against: {} &middot; {} run</p>\n",
+      escaped(rows.at(first, "claim")), equation_link(rows.at(first, "equation")), escaped(rows.at(first, "reference")),
+      escaped(rows.at(first, "run"))));
+  HtmlTable claimed{.columns = {"Quantity", "Expected", "Computed", "Error", "Tolerance", "Because", "Verdict"}};
+  HtmlTable measuring = claimed;
   for (const std::size_t i : c.rows) {
+    HtmlTable& table = is_about_measuring(c, rows.at(i, "quantity")) ? measuring : claimed;
     const bool bound = is_bound(rows.at(i, "metric"));
     table.rows.push_back({escaped(rows.at(i, "quantity")), rounded(rows.at(i, "expected"), 10),
                           rounded(rows.at(i, "computed"), 10), bound ? "" : rounded(rows.at(i, "error"), 2),
@@ -280,7 +314,9 @@ std::string claim_section(const Csv& rows, const Case& c) {
                           escaped(rows.at(i, "because")), escaped(rows.at(i, "verdict"))});
     table.bad.push_back(fails(rows, i));
   }
-  return out + block(folded(table, "rows that hold"));
+  if (!claimed.rows.empty()) out += block(folded(claimed, "rows that hold"));
+  if (!measuring.rows.empty()) out += block(folded(measuring, "rows that hold about the measurement itself"));
+  return out;
 }
 
 std::string stability_section(const Csv& extremes) {
@@ -296,11 +332,24 @@ std::string stability_section(const Csv& extremes) {
          block(folded(table, "cases that end as they must"));
 }
 
+// A command line without the folders of whoever ran it.
+std::string without_folders(const std::string& text) {
+  std::string out;
+  for (std::size_t from = 0; from < text.size();) {
+    const std::size_t end = std::min(text.find(' ', from), text.size());
+    const std::string word = text.substr(from, end - from);
+    out += (out.empty() ? "" : " ") + (word.starts_with('/') ? fs::path(word).filename().string() : word);
+    from = end + 1;
+  }
+  return out;
+}
+
 std::string stamp_table(const fs::path& data) {
   const nlohmann::ordered_json stamp = nlohmann::ordered_json::parse(report::read_whole(data / "stamp.json"));
   HtmlTable table{.columns = {"Made with", ""}};
   for (const auto& [key, value] : stamp.items()) {
-    table.rows.push_back({escaped(key), escaped(value.is_string() ? value.get<std::string>() : value.dump())});
+    table.rows.push_back(
+        {escaped(key), escaped(value.is_string() ? without_folders(value.get<std::string>()) : value.dump())});
   }
   return block(html(table));
 }
@@ -325,7 +374,7 @@ std::string name_of(const Curve& curve) {
 }
 
 struct Diagram {
-  std::string problem, reference;
+  std::string problem, reference, title{};
   double floor = 0.0;
   std::size_t at_floor = 0;
   std::vector<Curve> curves{};
@@ -372,6 +421,20 @@ std::vector<Diagram> diagrams_of(const Csv& work) {
     add_point(*known, work, i);
   }
   return diagrams;
+}
+
+// What a diagram is of, in words: from the claim "error against run time of a mass on a spring: ..." of its own case,
+// or else the problem's name.
+std::string title_of(const Diagram& diagram, const Csv& rows) {
+  constexpr std::string_view before = "error against run time of ";
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const std::string& claim = rows.at(i, "claim");
+    if (rows.at(i, "case") != "work_precision_" + diagram.problem || !claim.starts_with(before)) continue;
+    return capitalized(claim.substr(before.size(), claim.find(':') - before.size()));
+  }
+  std::string name = diagram.problem;
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return capitalized(name);
 }
 
 // Methods with an order of their own have a row that compares it: "<problem>, <method>: slope ...".
@@ -491,7 +554,7 @@ std::string plot_commands(const Diagram& diagram, const std::string& name) {
   const std::vector<Curve> curves = drawn(diagram);
   const auto [left, right] = frame(diagram);
   std::string out = fmt::format("data = points.'/{}.csv'\nname = '{}'\nheading = {}\ncurves = {}\nfailures = {}\n",
-                                name, name, quoted(diagram.problem), curves.size(), failures_of(diagram).size());
+                                name, name, quoted(diagram.title), curves.size(), failures_of(diagram).size());
   out += fmt::format("left = {}\nright = {}\nshaded = {}\n", left, right, above_floor * diagram.floor);
   for (const std::string_view array : {"title", "ink", "mark", "dash", "slope", "through", "from", "to"}) {
     out += fmt::format("array {}[{}]\n", array, curves.size());
@@ -550,7 +613,7 @@ std::string draw(const Diagram& diagram, const std::string& chapter, const fs::p
     report::write_whole(figures / (name + ".csv"), plot_data(diagram));
     script += plot_commands(diagram, name);
   }
-  std::string out = "### " + slug(diagram.problem) + fmt::format(" {{#guide_{}}}\n", name);
+  std::string out = fmt::format("### {} {{#guide_{}}}\n", diagram.title, name);
   out +=
       block(fmt::format("<p>Reference: {}, good to {:.2g}. Points within a factor {} of that, a shaded "
                         "band where it is near, are not drawn: {} here.</p>\n",
@@ -563,6 +626,7 @@ std::string work_section(const Chapter& chapter, const Csv& rows, const fs::path
   const Csv work(chapter.data / "work_precision.csv");
   std::string script, out;
   for (Diagram& diagram : diagrams_of(work)) {
+    diagram.title = title_of(diagram, rows);
     read_orders(diagram, rows);
     out += draw(diagram, chapter.name(), figures, script) + all_points(work, diagram.problem);
   }
@@ -579,6 +643,7 @@ std::string work_section(const Chapter& chapter, const Csv& rows, const fs::path
 // --- The guide's pages -----------------------------------------------------------------------------------------------
 
 Counts write_chapter_page(const Chapter& chapter, const fs::path& out, const fs::path& figures) {
+  report::require_finished(chapter.data);
   const Csv rows(chapter.data / "rows.csv");
   std::optional<Csv> extremes;
   if (fs::exists(chapter.data / "stability.csv")) extremes.emplace(chapter.data / "stability.csv");
@@ -627,7 +692,8 @@ One row compares one number. The *expected* value comes from outside the code it
 | design | what the library promises of itself: a refusal, a count |
 
 The *tolerance* stands in the case with the reason for its size; a NaN, a missing result or an exception fails. *Extreme*
-cases say beforehand whether they must be solved or refused, and the other outcome is a failure.
+cases say beforehand whether they must be solved or refused, and the other outcome is a failure. Tables of rows that hold
+are folded: a click opens them.
 The pages show a quick run: it drops no claim, but shortens sizes, repeats and sweeps. The full run is
 `./verification/run.sh`. Whether all of this would notice a mistake has been tried with planted ones: @ref teeth.
 
@@ -678,10 +744,5 @@ int run(const Strings& arguments) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
-    return run(Strings(argv + 1, argv + argc));
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "guide: {}\n", error.what());
-    return 1;
-  }
+  return report::guarded("guide", [&] { return run(Strings(argv + 1, argv + argc)); });
 }

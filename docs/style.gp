@@ -1,7 +1,7 @@
 # House style of every figure: the SVG terminal, inks that read on white and on near-black, CSV input.
 # A chapter's figures.gp begins with `load style`; docs/CMakeLists.txt sets style, data and verification.
 # Hues are Okabe and Ito's, darkened or lightened to at least 3:1 contrast on both grounds.
-set terminal svg size 640,420 dynamic enhanced font 'sans-serif,14' background '#ffffff' rounded
+set terminal svg size 640,420 dynamic enhanced font 'sans-serif,16' background '#ffffff' rounded
 set datafile separator comma
 set linetype 1 lc rgb '#0072b2' lw 2.2 pt 7  ps 0.7 dt 1      # blue, disc
 set linetype 2 lc rgb '#d55e00' lw 2.2 pt 5  ps 0.7 dt 1      # vermilion, square

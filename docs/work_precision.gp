@@ -7,9 +7,9 @@ set logscale xy
 set format '10^{%L}'
 set xlabel 'largest error'
 # Two columns of names, in letters small enough for the longest; the figure grows with their number.
-set key outside bottom center horizontal maxcols 2 samplen 2 font ',12'
+set key outside bottom center horizontal maxcols 2 samplen 2 font ',13' height 1
 set xrange [left:right]
-set terminal svg size 720,(430 + 19 * ((curves + 2) / 2)) dynamic enhanced font 'sans-serif,14' background '#ffffff' rounded
+set terminal svg size 720,(450 + 20 * ((curves + 2) / 2)) dynamic enhanced font 'sans-serif,15' background '#ffffff' rounded
 if (shaded > left) {
   set object 1 rectangle from left, graph 0 to shaded, graph 1 behind fc rgb '#808080' fs transparent solid 0.18 noborder
 }

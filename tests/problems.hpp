@@ -4,6 +4,7 @@
 #include <utility>
 
 #include <boost/test/unit_test.hpp>
+#include <particulate/schemes/fixed_step.hpp>
 #include <particulate/schemes/integrate.hpp>
 
 namespace tests {
@@ -73,6 +74,14 @@ struct Sine {
     return true;
   }
 };
+
+// Equal steps, whose sweeps leave TOL where a scheme makes any.
+template <class S>
+particulate::schemes::FixedStep equal_steps(double step, double TOL) {
+  particulate::schemes::FixedStep control{.step = step};
+  if constexpr (particulate::schemes::Iterative<S>) control.TOL = TOL;
+  return control;
+}
 
 /// integrate() of what a test does not look at afterwards: problem, scheme and control may be made in the call.
 template <class P, class S, class C, class... Rest>

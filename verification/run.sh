@@ -132,6 +132,8 @@ merge() {
   fi
 }
 
+# What a run that is cut short leaves must not look like one that ended.
+rm -f "$out"/{rows,work_precision,stability}.csv "$out/stamp.json"
 started=$out/.started
 touch "$started"
 finished=()
@@ -152,7 +154,10 @@ rm "$started"
 
 if [[ ${#finished[@]} -gt 0 ]]; then
   for file in rows.csv work_precision.csv stability.csv; do merge "$file"; done
-  cp "$out/${finished[0]}/stamp.json" "$out/stamp.json"
+fi
+if [[ ${#finished[@]} -eq ${#chapters[@]} ]]; then
+  cp "$out/${finished[0]}/stamp.json" "$out/stamp.json.part"
+  mv "$out/stamp.json.part" "$out/stamp.json"
 fi
 
 # compare [<chapter>]: a row that got worse or is gone counts as a failure.

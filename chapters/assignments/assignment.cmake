@@ -58,8 +58,10 @@ function(assignment_check chapter)
   assignment_folder(${chapter} folder noun)
   assignment_library(${chapter} library)
   if(NOT TARGET assignment_grading)
-    add_library(assignment_grading STATIC EXCLUDE_FROM_ALL "${assignments_root}/chapters/assignments/grading.cpp")
-    target_include_directories(assignment_grading PUBLIC "${assignments_root}/chapters/assignments")
+    add_library(assignment_grading STATIC EXCLUDE_FROM_ALL "${assignments_root}/chapters/assignments/grading.cpp"
+                "${assignments_root}/lib/particulate/report/guarded.cpp")
+    target_include_directories(assignment_grading PUBLIC "${assignments_root}/chapters/assignments"
+                               PRIVATE "${assignments_root}/lib")
     target_link_libraries(assignment_grading PUBLIC fmt::fmt)
     target_compile_features(assignment_grading PUBLIC cxx_std_20)
   endif()

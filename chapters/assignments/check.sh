@@ -74,6 +74,7 @@ options+=(--student "$student")
 if [[ -n $json ]]; then
   [[ -d $(dirname "$json") && -w $(dirname "$json") && ! -d $json ]] ||
     refuse "$json cannot be written: name a file in a folder that exists and can be written to"
+  rm -f "$json" # the scores of another submission: a check that dies must not leave them as its own
   options+=(--json "$json")
 fi
 if [[ -n $file ]]; then
@@ -89,7 +90,7 @@ shown=${file:-${headers[0]%.hpp}.cpp}
 umask 022
 export LC_ALL=C
 if [[ -z ${CMAKE_GENERATOR:-} ]] && command -v ninja >/dev/null; then export CMAKE_GENERATOR=Ninja; fi
-mkdir -p "$build"
+mkdir -p "$build" || refuse "$build cannot be made: name another folder with --build"
 build=$(cd "$build" && pwd)
 quietly() {
   "$@" >"$build/log" 2>&1 </dev/null && return

@@ -29,6 +29,8 @@
 
 #include <fmt/format.h>
 
+#include <particulate/report/guarded.hpp>
+
 namespace grading {
 
 namespace {
@@ -446,11 +448,12 @@ std::string part(const std::string& file) { return file + ".part"; }
   return refuse(fmt::format("{} cannot be written: name a file in a folder that exists and can be written to", file));
 }
 
-// Asked before anything is graded.
+// Asked before anything is graded. The scores of another submission go: one that dies must not be given them.
 bool can_write(const std::string& file) {
   std::error_code failed;
   if (std::filesystem::is_directory(file, failed) || !std::ofstream(part(file))) return refuse_file(file);
   std::filesystem::remove(part(file), failed);
+  std::filesystem::remove(file, failed);
   return true;
 }
 
@@ -492,7 +495,9 @@ double Draw::between(double low, double high) {
 
 int Draw::one_of(int count) { return static_cast<int>(engine_() % static_cast<std::uint64_t>(count)); }
 
-int run(int argc, char** argv, const Assignment& assignment) {
+namespace {
+
+int graded(int argc, char** argv, const Assignment& assignment) {
   Options options;
   if (!parse(argc, argv, options)) return 2;
   Draw numbers(options.student);
@@ -523,6 +528,12 @@ int run(int argc, char** argv, const Assignment& assignment) {
   }
   const bool full = std::all_of(scores.begin(), scores.end(), [](const Score& s) { return s.wrong.hint.empty(); });
   return full ? 0 : 1;
+}
+
+}  // namespace
+
+int run(int argc, char** argv, const Assignment& assignment) {
+  return particulate::report::guarded("check", [&] { return graded(argc, argv, assignment); });
 }
 
 }  // namespace grading

@@ -91,23 +91,18 @@ void validate(const Parameters& p) {
 //! particles with the strengths multiplied by both masses.
 
 kinematics::Particles two_bodies(double distance) {
-  kinematics::Particles two{.position = kinematics::Vectors::Zero(2, 3),
-                            .velocity = kinematics::Vectors::Zero(2, 3),
-                            .mass = Eigen::VectorXd::Ones(2),
-                            .radius = Eigen::VectorXd::Constant(2, 0.01)};
-  two.position(0, 0) = -0.5 * distance;
-  two.position(1, 0) = 0.5 * distance;
-  return two;
+  return kinematics::particles({{.position = {-0.5 * distance, 0.0, 0.0}, .mass = 1.0, .radius = 0.01},
+                                {.position = {0.5 * distance, 0.0, 0.0}, .mass = 1.0, .radius = 0.01}});
 }
 
 //! A scheme, a step control and a state go into one loop, which comes back with an outcome. Here every run must reach
-//! its end; the reason is printed if one does not.
+//! its end; what it did and why it did not is printed if one does not.
 
 template <class Scene, class Scheme>
 void advance(const Scene& scene, schemes::State& state, double t_end, Scheme& scheme, double step) {
   schemes::FixedStep control{.step = step};
   const schemes::Outcome outcome = schemes::integrate(scene, state, t_end, scheme, control);
-  if (outcome.status != schemes::Status::reached) throw std::runtime_error(outcome.reason);
+  if (outcome.status != schemes::Status::reached) throw std::runtime_error(describe(outcome));
 }
 
 //! What a run claims is kept in one table, a particulate::report::Checks, with the error that was seen and the error
@@ -196,9 +191,10 @@ void run(const Parameters& p, report::Chapter& chapter) {
     const double t = 0.02 * k * small_period;
     advance(swings, swing, t, first, 0.005 * small_period);
     advance(leaves, leave, t, second, 0.005 * small_period);
-    const auto apart = [](const schemes::State& m, int c) { return m.r[2 * c + 1] - m.r[2 * c]; };
-    paths.add({t, apart(swing, 0), apart(swing, 1), apart(leave, 0), apart(leave, 1)});
-    const double angle = std::atan2(apart(leave, 1), apart(leave, 0));
+    const Eigen::Vector3d bound = position(swing, 1) - position(swing, 0),
+                          free = position(leave, 1) - position(leave, 0);
+    paths.add({t, bound.x(), bound.y(), free.x(), free.y()});
+    const double angle = std::atan2(free.y(), free.x());
     turned_back = std::max(turned_back, -std::remainder(angle - last_angle, 2.0 * std::numbers::pi));
     last_angle = angle;
   }
@@ -230,7 +226,7 @@ void run(const Parameters& p, report::Chapter& chapter) {
         fmt::format("the turn must be resolved, step times its rate below 0.5, got {:.3g}; choose --steps {} or more",
                     step * turn_rate, std::ceil(2.0 * exact.period() * turn_rate)));
   }
-  const auto separation = [](const schemes::State& m) { return m.r[1] - m.r[0]; };
+  const auto separation = [](const schemes::State& m) { return position(m, 1).x() - position(m, 0).x(); };
   report::Table breathing({"time [periods]", "closed form [m]", "Runge-Kutta [m]", "Verlet [m]",
                            "error Runge-Kutta [m]", "error Verlet [m]"});
   schemes::State by_runge_kutta = scenes::start(breathes), by_verlet = by_runge_kutta;

@@ -32,7 +32,7 @@ plot file('landscape') skip 1 using 1:2 with lines lt 1 title 'along the line of
      '' skip 1 using 1:4 with lines lt 3 dt 2 title 'round the other body'
 
 set output 'ch01_paths.svg'
-set terminal svg size 520,520 dynamic enhanced font 'sans-serif,14' background '#ffffff' rounded
+set terminal svg size 520,520 dynamic enhanced font 'sans-serif,16' background '#ffffff' rounded
 set size ratio -1
 set xlabel 'x of one body, seen from the other [m]'
 set ylabel 'y [m]'
@@ -48,7 +48,7 @@ plot balance*cos(t), balance*sin(t) with lines lt 7 title 'balance', \
      '' skip 1 using 2:3 with lines lt 1 lw 4 title 'displaced along'
 unset parametric
 set size noratio
-set terminal svg size 640,520 dynamic enhanced font 'sans-serif,14' background '#ffffff' rounded
+set terminal svg size 640,520 dynamic enhanced font 'sans-serif,16' background '#ffffff' rounded
 
 set output 'ch01_breathing.svg'
 set multiplot layout 2,1
@@ -69,7 +69,7 @@ plot file('breathing') skip 1 using 1:($5 > 0 ? $5 : NaN) with linespoints lt 1 
 unset multiplot
 unset logscale
 set format y '%g'
-set terminal svg size 640,420 dynamic enhanced font 'sans-serif,14' background '#ffffff' rounded
+set terminal svg size 640,420 dynamic enhanced font 'sans-serif,16' background '#ffffff' rounded
 
 set output 'ch01_similarity.svg'
 set xlabel 'time / τ'

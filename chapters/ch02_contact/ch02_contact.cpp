@@ -130,6 +130,15 @@ kinematics::Particles cloud_of(int side, std::uint64_t seed) {
   return cloud;
 }
 
+// Where the spheres are, and how fast each moves about the centre of them all.
+void add_places(report::Table& places, const schemes::State& state, Eigen::Index count) {
+  const kinematics::Vectors r = state.r.reshaped(count, 3), v = state.v.reshaped(count, 3);
+  const Eigen::RowVector3d bulk = v.colwise().mean();
+  for (Eigen::Index i = 0; i < count; ++i) {
+    places.add({state.t, r(i, 0), r(i, 1), r(i, 2), (v.row(i) - bulk).norm()});
+  }
+}
+
 //! What a run claims is kept in one table, a particulate::report::Checks, with the error that was seen and the error
 //! that is allowed. Comparisons are written so that a NaN fails them.
 
@@ -355,7 +364,7 @@ void run(const Parameters& p, report::Chapter& chapter) {
     const scenes::Scene scene{start, kinematics::Space{}, contact::Contact<>{.gamma = p.gamma, .resolution = how}};
     schemes::State state = scenes::start(scene);
     while (rounds-- > 0 && scene.jump(state, p.step).impacts > 0) continue;
-    return kinematics::Vectors(state.v.reshaped(start.size(), 3));
+    return kinematics::Vectors(velocities(state));
   };
   report::Table several(
       {"hit", "sphere", "before [m/s]", "summed, once [m/s]", "summed, repeated [m/s]", "sequential [m/s]"});
@@ -412,7 +421,7 @@ void run(const Parameters& p, report::Chapter& chapter) {
     schemes::VelocityVerlet verlet;
     schemes::FixedStep control{.step = 0.15 * std::pow(0.25, quarters)};
     const schemes::Outcome outcome = schemes::integrate(meeting, state, 3.0, verlet, control);
-    const double error = std::abs(state.r[1] - state.r[0] - (1.0 + 2.0 * p.e));
+    const double error = std::abs(position(state, 1).x() - position(state, 0).x() - (1.0 + 2.0 * p.e));
     const double order = std::log(last / error) / std::log(4.0);
     stepped.add({control.step, outcome.overlap, error, quarters == 0 ? report::Cell() : report::Cell(order)});
     if (quarters > 0) off_order = std::max(off_order, std::abs(order - 1.0));
@@ -449,29 +458,31 @@ void run(const Parameters& p, report::Chapter& chapter) {
   schemes::FixedStep control{.step = (chapter.common().quick ? 2.0 : 1.0) * p.step};
   report::Table ledger(
       {"time [s]", "bulk [J]", "relative [J]", "potential [J]", "dissipated [J]", "total [J]", "impacts"});
+  report::Table places({"time [s]", "x [m]", "y [m]", "z [m]", "speed about the centre [m/s]"});
   report::Progress progress("cloud", p.duration);
   double dissipated = 0.0, drift = 0.0, overlap = 0.0, total_before = 0.0, restored = 0.0;
   long impacts = 0;
   const double potential_before = without_contact.potential_energy(state);
   for (int k = 0; k <= 150; ++k) {
     const schemes::Outcome outcome = schemes::integrate(scene, state, k * p.duration / 150.0, verlet, control);
-    if (outcome.status != schemes::Status::reached) throw std::runtime_error(outcome.reason);
+    if (outcome.status != schemes::Status::reached) throw std::runtime_error(describe(outcome));
     dissipated -= outcome.energy_change;
     restored = std::max(restored, outcome.energy_change);
     overlap = std::max(overlap, outcome.overlap);
     impacts += outcome.impacts;
-    const kinematics::KineticEnergy kinetic =
-        kinematics::split_kinetic_energy(cloud.mass, state.v.reshaped(cloud.size(), 3));
+    const kinematics::KineticEnergy kinetic = kinematics::split_kinetic_energy(cloud.mass, velocities(state));
     const double potential = without_contact.potential_energy(state) - potential_before;
     const double total = total_mass * (kinetic.bulk + kinetic.relative) + potential + dissipated;
     if (k == 0) total_before = total;
     drift = std::max(drift, std::abs(total - total_before));
     ledger.add(
         {state.t, total_mass * kinetic.bulk, total_mass * kinetic.relative, potential, dissipated, total, impacts});
+    if (k % 75 == 0) add_places(places, state, cloud.size());
     progress.at(state.t);
   }
   progress.wipe();
   output.write("ledger", ledger);
+  output.write("places", places);
   report::Table summary({"quantity", "value"});
   summary.add({"spheres", static_cast<double>(cloud.size())});
   summary.add({"impacts", static_cast<double>(impacts)});
@@ -480,7 +491,7 @@ void run(const Parameters& p, report::Chapter& chapter) {
   summary.add({"energy that impacts took [J]", dissipated});
   summary.add({"largest error of the books [J]", drift});
   output.write("summary", summary);
-  const Eigen::Vector3d momentum = kinematics::linear_momentum(cloud.mass, state.v.reshaped(cloud.size(), 3)) -
+  const Eigen::Vector3d momentum = kinematics::linear_momentum(cloud.mass, velocities(state)) -
                                    kinematics::linear_momentum(cloud.mass, cloud.velocity);
   checks.add("the cloud's momentum stays [kg m/s]", momentum.norm(), 1e-10);
   const double stiffness = kinematics::normal_stiffness(pair_law(near_field, 1.0, 1.0), 2.0 * cloud.radius[0]);
@@ -491,6 +502,8 @@ void run(const Parameters& p, report::Chapter& chapter) {
 
 }  // namespace
 
+//! @figure{ch02_places, The cloud at the start\, half-way and at the end\, seen along z. Colour: speed about the centre of them all.}
+//!
 //! @figure{ch02_ledger, A colliding cloud. Above: energy of its bulk and relative motion\, potential since the start\, what impacts took\, and the sum. Below: impacts so far.}
 //!
 //! @table{ch02_summary}

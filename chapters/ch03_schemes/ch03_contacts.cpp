@@ -70,9 +70,9 @@ void contacts(const Parameters& p, const report::Output& output, bool quick, rep
     schemes::Outcome outcome = schemes::integrate(mild.problem, state, period, scheme, control, read);
     state = Pair::start();
     scheme.forget();
-    schemes::Watch watch({.functions = [&](const schemes::State& at, schemes::Out g) { g[0] = at.r[0] - level; },
-                          .directions = {schemes::Direction::falling},
-                          .names = {"near"}});
+    schemes::Watch watch({{.function = [&](const schemes::State& at) { return at.r[0] - level; },
+                           .direction = schemes::Direction::falling,
+                           .name = "near"}});
     outcome = schemes::integrate(mild.problem, state, period, scheme, control, watch);
     if (outcome.status == schemes::Status::stopped) off[2] = std::abs(state.t - moment);
     events.add({n, off[0], off[1], off[2]});
@@ -88,10 +88,7 @@ void contacts(const Parameters& p, const report::Output& output, bool quick, rep
   //! particulate::contact::LocatedContact ends the step.
 
   const double g = 9.81, first_impact = std::sqrt(2.0 * p.drop / g);
-  const kinematics::Particles ball{.position = kinematics::Vectors{{0.0, 0.0, p.drop + 0.1}},
-                                   .velocity = kinematics::Vectors::Zero(1, 3),
-                                   .mass = Eigen::VectorXd::Ones(1),
-                                   .radius = Eigen::VectorXd::Constant(1, 0.1)};
+  const auto ball = kinematics::particles({{.position = {0.0, 0.0, p.drop + 0.1}, .mass = 1.0, .radius = 0.1}});
   const kinematics::Space floor{{kinematics::Wall{}}};
   const laws::Gravity gravity{.g = {0.0, 0.0, -g}};
   const scenes::Scene stepped(ball, floor, gravity, contact::Contact<>{.restitution = {p.e}});
@@ -107,7 +104,7 @@ void contacts(const Parameters& p, const report::Output& output, bool quick, rep
     double off = 0.0, due = first_impact;
     const schemes::Outcome outcome =
         schemes::integrate(scene, state, t_end, scheme, control, [&](const auto&, const auto& to, double, const auto&) {
-          if (impacts == 3 || !(to.r[2] - 0.1 <= 1e-11 && to.v[2] < 0.0)) return true;
+          if (impacts == 3 || !(position(to, 0).z() - 0.1 <= 1e-11 && velocity(to, 0).z() < 0.0)) return true;
           off = larger(off, std::abs(to.t - due));
           due += 2.0 * std::pow(p.e, ++impacts) * first_impact;
           return true;

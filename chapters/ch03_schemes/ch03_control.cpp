@@ -66,17 +66,15 @@ void control(const Parameters& p, const report::Output& output, report::Checks& 
   //! together from rest, turn in a fraction of the time of the fall, and part again.
 
   const auto scene_of = [](double stiffness) {
-    const kinematics::Particles two{.position = kinematics::Vectors{{-0.5, 0.0, 0.0}, {0.5, 0.0, 0.0}},
-                                    .velocity = kinematics::Vectors::Zero(2, 3),
-                                    .mass = Eigen::VectorXd::Ones(2),
-                                    .radius = Eigen::VectorXd::Zero(2)};
+    const auto two = kinematics::particles({{.position = {-0.5, 0.0, 0.0}, .mass = 1.0, .radius = 0.0},
+                                            {.position = {0.5, 0.0, 0.0}, .mass = 1.0, .radius = 0.0}});
     return scenes::Scene(two, kinematics::Space{},
                          laws::NearField{.alpha1 = 1.0, .alpha2 = stiffness, .beta1 = 2.0, .beta2 = 3.0});
   };
   const auto exact_of = [](double stiffness) {
     return kinematics::Breathing(kinematics::breathing_pair(1.0, stiffness, 1.0, 1.0), 1.0);
   };
-  const auto separation = [](const schemes::State& m) { return m.r[1] - m.r[0]; };
+  const auto separation = [](const schemes::State& m) { return position(m, 1).x() - position(m, 0).x(); };
   // Largest error of the separation at any step until t_end, and how the run went.
   const auto follow_scene = [&](double stiffness, double phi, double t_end, auto& control,
                                 report::Table* path = nullptr) {

@@ -120,8 +120,10 @@ void stiffness_and_errors(const Parameters& p, const report::Output& output, rep
   //!
   //! @ref ch03_truncation "Section 5" showed what \f$ \Phi_K \f$ cannot see. A polynomial through s rates can: if its
   //! leading coefficient is small beside the rates the step resolves them. From their ratio follows an estimate of
-  //! what the step leaves, with no further force (particulate::schemes::Collocation). The control then takes the
-  //! smaller of two wishes,
+  //! what the step leaves, with no further force (particulate::schemes::Collocation). One-step schemes compare the
+  //! rates of this step with those of the last one (particulate::schemes::VelocityVerlet, PhiFamily), or with the rate
+  //! that the next one begins with (particulate::schemes::RungeKutta4). The control then takes the smaller of two
+  //! wishes,
   //!
   //! \f[ \Delta t^{new} = \min\left\{\Phi_K,\ 0.9 \left(\frac{TOL}{\text{estimate}}\right)^{1/(p+1)}\right\}
   //!     \Delta t. \f]

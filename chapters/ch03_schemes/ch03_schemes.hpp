@@ -20,7 +20,7 @@
 #include <particulate/kinematics/breathing.hpp>
 #include <particulate/report/checks.hpp>
 #include <particulate/report/command_line.hpp>
-#include <particulate/report/table.hpp>
+#include <particulate/report/output.hpp>
 #include <particulate/schemes/coupled_pair.hpp>
 #include <particulate/schemes/integrate.hpp>
 #include <particulate/schemes/phi_control.hpp>
@@ -156,6 +156,7 @@ struct Logged {
     bool accepted;          // whether it stands
     Control after;          // the control, as it left the attempt
   };
+  static constexpr bool ignores_truncation = schemes::IgnoresTruncation<Control>;
   Control control;
   std::vector<Entry> entries = {};
   double t = 0.0;  // start of the next one [s]

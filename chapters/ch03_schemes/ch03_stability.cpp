@@ -156,8 +156,9 @@ void stability(const Parameters& p, const report::Output& output, bool quick, re
   //!
   //! For particles the family reads
   //!
-  //! \f{equation}{ v_i^{L+1} = v_i^L + \frac{\Delta t}{m_i}\left(\phi\,\Psi_i^{L+1} + (1-\phi)\,\Psi_i^L\right), \qquad
-  //!     r_i^{L+1} = r_i^L + \Delta t\left(\phi\,v_i^{L+1} + (1-\phi)\,v_i^L\right). \tag{R 3.3} \label{eq:phi} \f}
+  //! \f{equation}{ \begin{aligned}
+  //!     v_i^{L+1} &= v_i^L + \frac{\Delta t}{m_i}\left(\phi\,\Psi_i^{L+1} + (1-\phi)\,\Psi_i^L\right),
+  //!     \\ r_i^{L+1} &= r_i^L + \Delta t\left(\phi\,v_i^{L+1} + (1-\phi)\,v_i^L\right). \end{aligned} \tag{R 3.3} \label{eq:phi} \f}
   //!
   //! The first iterate is free flight. A sweep takes all forces at the last positions, then the velocities from the
   //! forces, then the positions from these velocities; so the error of the positions passes through the force once and

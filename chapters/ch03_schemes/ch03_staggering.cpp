@@ -42,8 +42,9 @@ namespace ch03 {
 //! contracts by \f$ \Delta t^2/(ab) \f$ and \f$ \Delta t^4/(ab) \f$; one that uses those of the last sweep (Jacobi),
 //! by the square roots. We add a third pair, which decays and turns:
 //!
-//! \f{equation}{ \dot w_1 = -a_{11} w_1 - a_{12} w_2, \quad \dot w_2 = -a_{21} w_1 - a_{22} w_2, \qquad
-//!     \eta = \left|\frac{\Delta t^2\,a_{12}\,a_{21}}{(1 + \Delta t\,a_{11})(1 + \Delta t\,a_{22})}\right|.
+//! \f{equation}{ \begin{aligned}
+//!     &\dot w_1 = -a_{11} w_1 - a_{12} w_2, \quad \dot w_2 = -a_{21} w_1 - a_{22} w_2,
+//!     \\ &\eta = \left|\frac{\Delta t^2\,a_{12}\,a_{21}}{(1 + \Delta t\,a_{11})(1 + \Delta t\,a_{22})}\right|. \end{aligned}
 //!     \tag{R 7.5.2} \label{eq:stagger} \f}
 
 void staggering(const Parameters& p, const report::Output& output, report::Checks& checks) {

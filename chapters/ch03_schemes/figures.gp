@@ -34,9 +34,9 @@ do for [c = 3:8] {
 unset contour
 set surface
 set datafile separator whitespace
-set terminal svg size 760,430 dynamic enhanced font 'sans-serif,14' background '#ffffff' rounded
+set terminal svg size 640,390 dynamic enhanced font 'sans-serif,16' background '#ffffff' rounded
 set output 'ch03_regions.svg'
-set multiplot layout 1,2 margins 0.08,0.98,0.16,0.9 spacing 0.1
+set multiplot layout 1,2 margins 0.11,0.97,0.2,0.87 spacing 0.12
 set size ratio -1
 set xlabel 'Re z'
 set ylabel 'Im z'
@@ -68,12 +68,12 @@ set datafile separator comma
 set size noratio
 unset title
 
-set terminal svg size 760,400 dynamic enhanced font 'sans-serif,14' background '#ffffff' rounded
+set terminal svg size 640,360 dynamic enhanced font 'sans-serif,16' background '#ffffff' rounded
 set output 'ch03_histories.svg'
-set multiplot layout 1,3 margins 0.12,0.98,0.17,0.9 spacing 0.03
+set multiplot layout 1,3 margins 0.13,0.96,0.23,0.78 spacing 0.04
 set xlabel 'contractions K'
 set xrange [0:20]
-set xtics 5
+set xtics 10
 set logscale y
 set yrange [1e-16:1e4]
 set ytics 1e4
@@ -87,12 +87,14 @@ unset ylabel
 set format y ''
 set title 'ω Δt = 0.9'
 plot for [c = 3:6] file('histories') skip 1 using 2:(at(0.9, c)) with linespoints lt c-2 ps 0.5 notitle
+# The names stand above all three, in the colours of their curves.
+set label 1 'φ = 1' at screen 0.13, screen 0.95 textcolor lt 1
+set label 2 'φ = 1/2' at screen 0.3, screen 0.95 textcolor lt 2
+set label 3 'velocities lag' at screen 0.5, screen 0.95 textcolor lt 3
+set label 4 'mixed' at screen 0.8, screen 0.95 textcolor lt 4
 set title 'ω Δt = 1.1'
-set key inside bottom left samplen 1.5 spacing 1.0
-plot file('histories') skip 1 using 2:(at(1.1, 3)) with linespoints lt 1 ps 0.5 title 'φ = 1', \
-     '' skip 1 using 2:(at(1.1, 4)) with linespoints lt 2 ps 0.5 title 'φ = 1/2', \
-     '' skip 1 using 2:(at(1.1, 5)) with linespoints lt 3 ps 0.5 title 'velocities lag', \
-     '' skip 1 using 2:(at(1.1, 6)) with linespoints lt 4 ps 0.5 title 'mixed'
+plot for [c = 3:6] file('histories') skip 1 using 2:(at(1.1, c)) with linespoints lt c-2 ps 0.5 notitle
+unset label
 unset multiplot
 unset title
 unset logscale
@@ -101,9 +103,9 @@ set format y '%g'
 set ytics autofreq
 set xtics autofreq
 
-set terminal svg size 640,680 dynamic enhanced font 'sans-serif,14' background '#ffffff' rounded
+set terminal svg size 640,680 dynamic enhanced font 'sans-serif,16' background '#ffffff' rounded
 set output 'ch03_steps.svg'
-set multiplot layout 3,1 margins 0.14,0.97,0.1,0.98 spacing 0.05
+set multiplot layout 3,1 margins 0.17,0.95,0.12,0.97 spacing 0.05
 set xrange [0.45:0.55]
 unset xlabel
 set format x ''
@@ -129,7 +131,7 @@ plot file('steps') skip 1 using 1:5 with lines lt 7 lw 2 title 'aimed at', \
      '' skip 1 using 1:($3 > 0 ? $4 : NaN) with points lt 2 pt 2 ps 0.8 title 'refused'
 unset multiplot
 
-set terminal svg size 640,480 dynamic enhanced font 'sans-serif,14' background '#ffffff' rounded
+set terminal svg size 640,480 dynamic enhanced font 'sans-serif,16' background '#ffffff' rounded
 set output 'ch03_truncation.svg'
 set lmargin 10
 set logscale xy
@@ -167,7 +169,7 @@ plot x*x with lines lt 1 lw 1.4 notitle, x with lines lt 2 lw 1.4 notitle, x**4 
 reset_axes = "unset logscale; unset label; unset title; set autoscale; set format xy '%g'; set xtics autofreq; set ytics autofreq; set key default; set key samplen 2 spacing 1.15 reverse Left; set lmargin -1"
 
 @reset_axes
-set terminal svg size 640,520 dynamic enhanced font 'sans-serif,14' background '#ffffff' rounded
+set terminal svg size 640,520 dynamic enhanced font 'sans-serif,16' background '#ffffff' rounded
 set output 'ch03_family_orders.svg'
 set logscale xy
 set format y '10^{%L}'
@@ -182,7 +184,7 @@ plot file('family_orders') skip 1 using 1:10 with lines lt 2 dt (6,4) title 'Rad
      for [s = 1:8] '' skip 1 using 1:s+1 with linespoints lt 1 + (s - 1) % 5 ps 0.4 title sprintf('Gauss %d', s)
 
 @reset_axes
-set terminal svg size 640,420 dynamic enhanced font 'sans-serif,14' background '#ffffff' rounded
+set terminal svg size 640,420 dynamic enhanced font 'sans-serif,16' background '#ffffff' rounded
 set output 'ch03_family_guesses.svg'
 set logscale y
 set format y '10^{%L}'
@@ -210,30 +212,34 @@ do for [c = 3:9] {
 unset contour
 set surface
 set datafile separator whitespace
-set terminal svg size 760,400 dynamic enhanced font 'sans-serif,14' background '#ffffff' rounded
+set terminal svg size 640,360 dynamic enhanced font 'sans-serif,16' background '#ffffff' rounded
 set output 'ch03_family_regions.svg'
-set multiplot layout 1,2 margins 0.08,0.98,0.18,0.9 spacing 0.1
+set multiplot layout 1,2 margins 0.11,0.97,0.23,0.8 spacing 0.12
 set size ratio -1
 set xlabel 'Re z'
 set ylabel 'Im z'
 set xrange [-13:6]
 set yrange [0:14]
+set xtics 4
 family(c) = sprintf('family_%d.dat', c)
 unset key
 set title 'all stages at once'
 plot family(3) using 1:2 with lines lt 1, family(4) using 1:2 with lines lt 2, family(5) using 1:2 with lines lt 3, \
      family(6) using 1:2 with lines lt 4
 set title 'in turn'
-set key at screen 0.98, screen 0.88 right top
-plot family(3) using 1:2 with lines lt 1 title 's = 1', family(7) using 1:2 with lines lt 2 title 's = 2', \
-     family(8) using 1:2 with lines lt 3 title 's = 4', family(9) using 1:2 with lines lt 4 title 's = 8'
+set label 1 's = 1' at screen 0.2, screen 0.95 textcolor lt 1
+set label 2 's = 2' at screen 0.4, screen 0.95 textcolor lt 2
+set label 3 's = 4' at screen 0.6, screen 0.95 textcolor lt 3
+set label 4 's = 8' at screen 0.8, screen 0.95 textcolor lt 4
+plot family(3) using 1:2 with lines lt 1, family(7) using 1:2 with lines lt 2, family(8) using 1:2 with lines lt 3, \
+     family(9) using 1:2 with lines lt 4
 unset multiplot
 set datafile separator comma
 set size noratio
 
 @reset_axes
 set output 'ch03_family_stability.svg'
-set multiplot layout 1,2 margins 0.1,0.98,0.18,0.9 spacing 0.06
+set multiplot layout 1,2 margins 0.13,0.95,0.23,0.78 spacing 0.07
 set logscale x
 set xlabel '|z|'
 set xrange [0.1:1000]
@@ -247,17 +253,19 @@ plot file('family_stability') skip 1 using 1:2 with linespoints lt 1 ps 0.5, \
 unset ylabel
 set format y ''
 set title 'oscillation, Re z = 0'
-set key bottom left
-plot file('family_stability') skip 1 using 1:5 with linespoints lt 1 ps 0.5 title 'Gauss 2', \
-     '' skip 1 using 1:6 with linespoints lt 2 ps 0.5 title 'Radau 1', \
-     '' skip 1 using 1:7 with linespoints lt 3 ps 0.5 title 'Radau 2', \
-     NaN with lines lt 7 title 'exact', 1 with lines lt 7 notitle
+set label 1 'Gauss 2' at screen 0.13, screen 0.95 textcolor lt 1
+set label 2 'Radau 1' at screen 0.36, screen 0.95 textcolor lt 2
+set label 3 'Radau 2' at screen 0.59, screen 0.95 textcolor lt 3
+set label 4 'exact' at screen 0.82, screen 0.95 textcolor lt 7
+plot file('family_stability') skip 1 using 1:5 with linespoints lt 1 ps 0.5, \
+     '' skip 1 using 1:6 with linespoints lt 2 ps 0.5, '' skip 1 using 1:7 with linespoints lt 3 ps 0.5, \
+     1 with lines lt 7
 unset multiplot
 
 @reset_axes
-set terminal svg size 640,520 dynamic enhanced font 'sans-serif,14' background '#ffffff' rounded
+set terminal svg size 640,520 dynamic enhanced font 'sans-serif,16' background '#ffffff' rounded
 set output 'ch03_family_leaps.svg'
-set multiplot layout 2,1 margins 0.14,0.97,0.12,0.97 spacing 0.05
+set multiplot layout 2,1 margins 0.17,0.95,0.12,0.97 spacing 0.05
 unset key
 unset xlabel
 set format x ''
@@ -274,9 +282,9 @@ plot file('family_leaps') skip 1 using 1:3 with points lt 2 ps 0.4
 unset multiplot
 
 @reset_axes
-set terminal svg size 640,680 dynamic enhanced font 'sans-serif,14' background '#ffffff' rounded
+set terminal svg size 640,680 dynamic enhanced font 'sans-serif,16' background '#ffffff' rounded
 set output 'ch03_family_passage.svg'
-set multiplot layout 3,1 margins 0.14,0.97,0.1,0.98 spacing 0.05
+set multiplot layout 3,1 margins 0.17,0.95,0.12,0.97 spacing 0.05
 # A fourth root stretches the passage and keeps zero in the middle, which a logarithmic scale has not.
 root(t) = t < 0 ? -(-t)**0.25 : t**0.25
 set xrange [-0.86:0.86]
@@ -303,15 +311,15 @@ plot file('family_passage') skip 1 using (root($1)):5 with points lt 3 ps 0.5 ti
 unset multiplot
 
 @reset_axes
-set terminal svg size 760,420 dynamic enhanced font 'sans-serif,14' background '#ffffff' rounded
+set terminal svg size 640,380 dynamic enhanced font 'sans-serif,16' background '#ffffff' rounded
 set output 'ch03_family_located.svg'
-set multiplot layout 1,2 margins 0.1,0.98,0.16,0.9 spacing 0.1
+set multiplot layout 1,2 margins 0.13,0.97,0.22,0.86 spacing 0.15
 set logscale xy
 set format y '10^{%L}'
 set xlabel 'steps per period'
 set ylabel 'error [s]'
 set xrange [14:200]
-set yrange [1e-17:1e7]
+set yrange [1e-17:1e9]
 set xtics (20, 50, 100, 200)
 set key top left
 set title 'a separation is reached'
@@ -330,7 +338,7 @@ plot file('family_bounces') skip 1 using 1:2 with linespoints lt 1 title 'steppe
 unset multiplot
 
 @reset_axes
-set terminal svg size 640,420 dynamic enhanced font 'sans-serif,14' background '#ffffff' rounded
+set terminal svg size 640,420 dynamic enhanced font 'sans-serif,16' background '#ffffff' rounded
 set output 'ch03_family_energies.svg'
 set logscale y
 set format y '10^{%L}'

@@ -51,6 +51,12 @@ table() { "${grader[@]}" --student "$1" || true; }
 [[ $(table anna) != "$(table 'an na')" ]] || fail "blanks within an ID must matter"
 table anna | grep -q '^  yes         compiles$' || fail "the table must say that it compiles"
 
+# A table that is lost, and scores of another submission where none can be made, are not taken for a result.
+if [[ -e /dev/full ]]; then refused 'not all that was printed' sh -c '"$@" >/dev/full' sh "${grader[@]}" --student anna; fi
+echo '{"score": 20}' >anna.json
+refused 'cannot be made' "$script" "$chapter" --student anna --json anna.json --build /dev/null/none
+[[ ! -e anna.json ]] || fail "scores of another submission must go before anything is made"
+
 # Without a program no line is asked, and each says so in one line.
 echo 'pair.cpp:1:1: error: expected a semicolon' >log
 "$check" --log log --student anna >out && fail "what does not compile must not get full marks"

@@ -59,10 +59,10 @@ BOOST_AUTO_TEST_SUITE_END()
 BOOST_AUTO_TEST_SUITE(case_seed)
 
 BOOST_AUTO_TEST_CASE(belongs_to_the_case_and_the_run_s_seed) {
-  const Rows first("gas", {.seed = 1, .folder = {}}), again("gas", {.seed = 1, .folder = {}});
+  const Rows first("gas", {.seed = 1}), again("gas", {.seed = 1});
   BOOST_TEST(first.case_seed() == again.case_seed());
-  BOOST_TEST(first.case_seed() != Rows("gas", {.seed = 2, .folder = {}}).case_seed());
-  BOOST_TEST(first.case_seed() != Rows("cloud", {.seed = 1, .folder = {}}).case_seed());
+  BOOST_TEST(first.case_seed() != Rows("gas", {.seed = 2}).case_seed());
+  BOOST_TEST(first.case_seed() != Rows("cloud", {.seed = 1}).case_seed());
 }
 
 BOOST_AUTO_TEST_SUITE_END()

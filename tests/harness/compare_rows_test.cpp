@@ -19,6 +19,7 @@ Ended compare(const std::string& before, const std::string& after) {
   for (const auto& [name, rows] : {std::pair("before", before), std::pair("after", after)}) {
     std::filesystem::create_directory(folder.path() / name);
     write_whole(folder.path() / name / "rows.csv", header + rows);
+    write_whole(folder.path() / name / "stamp.json", "{}");
   }
   return tests::run("compare_rows", (folder.path() / "before").native() + " " + (folder.path() / "after").native());
 }
@@ -82,7 +83,7 @@ BOOST_AUTO_TEST_CASE(says_if_a_quick_run_stands_against_a_full_one) {
 BOOST_AUTO_TEST_CASE(ends_with_status_2_where_there_is_nothing_to_compare) {
   const Ended none = tests::run("compare_rows", "no/such/folder neither/this");
   BOOST_TEST(none.status == 2);
-  BOOST_TEST(none.has("no/such/folder/rows.csv cannot be read"));
+  BOOST_TEST(none.has("no/such/folder must hold the results of a run that ended"));
   BOOST_TEST(tests::run("compare_rows", "one").status == 2);
   BOOST_TEST(tests::run("compare_rows", "--help").status == 0);
 }
@@ -90,6 +91,7 @@ BOOST_AUTO_TEST_CASE(ends_with_status_2_where_there_is_nothing_to_compare) {
 BOOST_AUTO_TEST_CASE(ends_with_status_2_for_rows_of_another_kind) {
   const ScratchFolder folder;
   write_whole(folder.path() / "rows.csv", "chapter,case\nch01,a\n");
+  write_whole(folder.path() / "stamp.json", "{}");
   const Ended ended = tests::run("compare_rows", folder.path().native() + " " + folder.path().native());
   BOOST_TEST(ended.status == 2);
   BOOST_TEST(ended.has("must have a column \"quantity\""));

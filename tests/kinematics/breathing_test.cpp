@@ -251,6 +251,12 @@ BOOST_AUTO_TEST_CASE(repeats_itself_and_runs_backwards_alike) {
 }
 
 // A = 2, B = 1 balance at 1/2. From rest at 0.3: 2|E| = 4/0.3 - 1/0.09 = 20/9, a = 0.9, and the other end lies at 1.5.
+BOOST_AUTO_TEST_CASE(has_no_place_at_a_time_that_is_none) {
+  for (const double t : {not_a_number, infinity}) {
+    CHECK_REFUSED(Breathing({.A = 2.0, .B = 1.0}, 1.0).at(t), "breathing: the time must be finite");
+  }
+}
+
 BOOST_AUTO_TEST_CASE(starts_outwards_from_inside_its_equilibrium) {
   const Breathing inside({.A = 2.0, .B = 1.0}, 0.3), outside({.A = 2.0, .B = 1.0}, 1.5);
   BOOST_TEST(inside.nearest() == 0.3);

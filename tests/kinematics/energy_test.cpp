@@ -101,4 +101,18 @@ BOOST_AUTO_TEST_CASE(converges_with_order_two) {
 
 BOOST_AUTO_TEST_SUITE_END()
 
+BOOST_AUTO_TEST_SUITE(lengths_of_energies)
+
+// Read against each other, two masses and three velocities gave 3 J.
+BOOST_AUTO_TEST_CASE(that_differ_are_refused) {
+  const Vectors two = Vectors::Ones(2, 3), three = Vectors::Ones(3, 3);
+  const Eigen::VectorXd masses = Eigen::VectorXd::Ones(2);
+  CHECK_REFUSED(kinetic_energy(masses, three), "must hold one entry a particle each, got 2 and 3");
+  CHECK_REFUSED(split_kinetic_energy(masses, three), "got 2 and 3");
+  CHECK_REFUSED(power_of(three, two), "got 3 and 2");
+  CHECK_REFUSED(work_between(two, two, three, two), "got 2 and 2 and 3 and 2");
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace tests::energy_test

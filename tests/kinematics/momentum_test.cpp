@@ -102,4 +102,19 @@ BOOST_AUTO_TEST_CASE(converges_to_the_integral_with_order_two) {
 
 BOOST_AUTO_TEST_SUITE_END()
 
+BOOST_AUTO_TEST_SUITE(lengths_of_momenta)
+
+BOOST_AUTO_TEST_CASE(that_differ_are_refused) {
+  const Vectors two = Vectors::Ones(2, 3), three = Vectors::Ones(3, 3);
+  const Eigen::VectorXd masses = Eigen::VectorXd::Ones(2);
+  CHECK_REFUSED(linear_momentum(masses, three), "got 2 and 3");
+  CHECK_REFUSED(angular_momentum(masses, two, three), "got 2 and 3");
+  CHECK_REFUSED(angular_momentum(masses, three, two), "got 3 and 2");
+  CHECK_REFUSED(moment(two, three), "got 2 and 3");
+  CHECK_REFUSED(centre_of_mass(masses, three), "got 2 and 3");
+  CHECK_REFUSED(impulse_between(two, three, 1.0), "got 2 and 3");
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
 }  // namespace tests::momentum_test

@@ -1,6 +1,7 @@
 #include <particulate/kinematics/particles.hpp>
 
 #include <string>
+#include <vector>
 
 #include "close.hpp"
 
@@ -14,6 +15,37 @@ Particles two_particles() {
           .mass = Eigen::Vector2d(1.0, 2.0),
           .radius = Eigen::Vector2d(0.0, 0.5)};
 }
+
+BOOST_AUTO_TEST_SUITE(particles_)
+
+BOOST_AUTO_TEST_CASE(makes_arrays_of_a_list) {
+  const Particles listed =
+      particles({{.position = {1.0, 2.0, 3.0}, .mass = 1.0, .radius = 0.0},
+                 {.position = {4.0, 6.0, 8.0}, .velocity = {0.25, 1.0, 0.5}, .mass = 2.0, .radius = 0.5}});
+  Particles same = two_particles();
+  same.velocity.row(0).setZero();  // left out: at rest
+  BOOST_TEST((listed.position == same.position));
+  BOOST_TEST((listed.velocity == same.velocity));
+  BOOST_TEST((listed.mass == same.mass));
+  BOOST_TEST((listed.radius == same.radius));
+  BOOST_TEST(listed.immovable.empty());
+  const Particles fixed = particles({{.position = {0.0, 0.0, 0.0}, .mass = 1.0, .radius = 0.0},
+                                     {.position = {0.0, 0.0, 0.0}, .mass = 1.0, .radius = 0.0, .immovable = true}});
+  BOOST_TEST((fixed.immovable == std::vector<bool>{false, true}));
+  BOOST_TEST(particles({}).size() == 0);
+}
+
+BOOST_AUTO_TEST_CASE(refuses_what_is_not_given_and_what_cannot_be) {
+  const Particle whole{.position = {0.0, 0.0, 0.0}, .mass = 1.0, .radius = 0.1};
+  CHECK_REFUSED(particles({whole, {.mass = 1.0, .radius = 0.1}}), "particle 1 has no position");
+  CHECK_REFUSED(particles({{.position = {0.0, 0.0, 0.0}, .radius = 0.1}}), "particle 0 has no mass");
+  CHECK_REFUSED(particles({whole, whole, {.position = {0.0, 0.0, 0.0}, .mass = 1.0}}), "particle 2 has no radius");
+  Particle wrong = whole;
+  wrong.mass = -1.0;
+  CHECK_REFUSED(particles({whole, wrong}), "masses must be positive and finite, got -1 kg for particle 1");
+}
+
+BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE(validate_)
 
@@ -138,6 +170,15 @@ BOOST_AUTO_TEST_CASE(turns_its_sign_when_the_particles_are_exchanged) {
   const RelativeMotion there = relative_motion(two_particles(), 0, 1), back = relative_motion(two_particles(), 1, 0);
   BOOST_TEST(close(there.position, -back.position, {}));
   BOOST_TEST(close(there.velocity, -back.velocity, {}));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(relative_motion_of_others)
+
+BOOST_AUTO_TEST_CASE(is_refused_for_a_particle_that_is_not_there) {
+  CHECK_REFUSED(relative_motion(two_particles(), 0, 2), "must be one of 2, counted from 0, got 2");
+  CHECK_REFUSED(relative_motion(two_particles(), -1, 0), "got -1");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

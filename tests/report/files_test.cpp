@@ -1,38 +1,17 @@
 #include <particulate/report/files.hpp>
 
-#include <csignal>
 #include <stdexcept>
 #include <vector>
 
-#include <sys/resource.h>
 #include <sys/stat.h>
 
+#include "report/full_disk.hpp"
 #include "says.hpp"
 #include "scratch_folder.hpp"
 
 namespace tests::files_test {
 
 using namespace particulate::report;
-
-// No file may grow beyond the limit while this lives: how a full disk looks to a program, root included.
-class FullDisk {
- public:
-  explicit FullDisk(rlim_t limit) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
-    ::getrlimit(RLIMIT_FSIZE, &old_);
-    const rlimit now{.rlim_cur = limit, .rlim_max = old_.rlim_max};
-    ::setrlimit(RLIMIT_FSIZE, &now);
-  }
-  FullDisk(const FullDisk&) = delete;
-  FullDisk& operator=(const FullDisk&) = delete;
-  ~FullDisk() {
-    ::setrlimit(RLIMIT_FSIZE, &old_);
-    std::signal(SIGXFSZ, handler_);
-  }
-
- private:
-  void (*handler_)(int);
-  rlimit old_{};
-};
 
 BOOST_AUTO_TEST_SUITE(write_whole_)
 

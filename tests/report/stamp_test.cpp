@@ -3,10 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include <particulate/report/files.hpp>
-
 #include "says.hpp"
-#include "scratch_folder.hpp"
 
 namespace tests::stamp_test {
 
@@ -31,10 +28,9 @@ BOOST_AUTO_TEST_CASE(knows_build_machine_and_time) {
 
 BOOST_AUTO_TEST_SUITE_END()
 
-BOOST_AUTO_TEST_SUITE(write_stamp_)
+BOOST_AUTO_TEST_SUITE(json_)
 
 BOOST_AUTO_TEST_CASE(writes_every_field) {
-  const ScratchFolder folder;
   const Stamp stamp{.revision = "abc-dirty",
                     .compiler = "GNU 12",
                     .flags = "-O3 -DX=\"y\"",
@@ -43,12 +39,20 @@ BOOST_AUTO_TEST_CASE(writes_every_field) {
                     .kernel = "k",
                     .options = "o",
                     .seed = 18446744073709551615U,
-                    .date = "d"};
-  write_stamp(folder.path(), stamp);
-  BOOST_TEST(read_whole(folder.path() / "stamp.json") ==
+                    .date = "d",
+                    .files = {"a.csv"}};
+  BOOST_TEST(json(stamp) ==
              "{\n  \"revision\": \"abc-dirty\",\n  \"compiler\": \"GNU 12\",\n  \"flags\": \"-O3 -DX=\\\"y\\\"\",\n"
              "  \"build_type\": \"Release\",\n  \"processor\": \"P\",\n  \"kernel\": \"k\",\n  \"options\": \"o\",\n"
-             "  \"seed\": 18446744073709551615,\n  \"date\": \"d\"\n}\n");
+             "  \"seed\": 18446744073709551615,\n  \"date\": \"d\",\n"
+             "  \"files\": [\n    \"a.csv\"\n  ]\n}\n");
+  BOOST_TEST(files_of_stamp(json(stamp)) == stamp.files, boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(names_no_file_where_it_is_none) {
+  for (const char* text : {"", "{", "[1]", "{}", "{\"files\": 1}", "{\"files\": [1, null]}"}) {
+    BOOST_TEST(files_of_stamp(text).empty());
+  }
 }
 
 BOOST_AUTO_TEST_CASE(fits_one_line) {

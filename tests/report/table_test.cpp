@@ -5,10 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include <particulate/report/files.hpp>
-
 #include "says.hpp"
-#include "scratch_folder.hpp"
 
 namespace tests::table_test {
 
@@ -146,24 +143,6 @@ BOOST_AUTO_TEST_CASE(names_file_and_line_of_what_it_cannot_read) {
   BOOST_CHECK_EXCEPTION(parse_csv("a,b\n1,\"2\n", "f.csv"), std::runtime_error,
                         says("f.csv:2: not readable as CSV: a quote"));
   BOOST_CHECK_EXCEPTION(parse_csv("a\n\"1\"2\n", "f.csv"), std::runtime_error, says("f.csv:2"));
-}
-
-BOOST_AUTO_TEST_SUITE_END()
-
-BOOST_AUTO_TEST_SUITE(output)
-
-BOOST_AUTO_TEST_CASE(writes_a_table_under_its_name) {
-  const ScratchFolder folder;
-  Output(folder.path() / "new").write("breathing_pair", example());
-  BOOST_TEST(read_whole(folder.path() / "new" / "breathing_pair.csv") == example().csv());
-}
-
-BOOST_AUTO_TEST_CASE(refuses_a_name_that_leads_elsewhere) {
-  const ScratchFolder folder;
-  const Output output(folder.path());
-  for (const char* name : {"", "../x", "rows.csv", "Rows"}) {
-    CHECK_REFUSED(output.write(name, example()), "must be lower-case letters");
-  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

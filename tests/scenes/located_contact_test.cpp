@@ -8,6 +8,9 @@
 #include <particulate/schemes/events.hpp>
 #include <particulate/schemes/fixed_step.hpp>
 #include <particulate/schemes/integrate.hpp>
+#include <particulate/schemes/phi_family.hpp>
+#include <particulate/schemes/runge_kutta.hpp>
+#include <particulate/schemes/verlet.hpp>
 
 #include "close.hpp"
 #include "problems.hpp"
@@ -55,10 +58,27 @@ Vectors velocities(const S& scene, double t_end, double dt) {
   return state.v.reshaped(state.v.size() / 3, 3);
 }
 
+// Under gravity alone each is exact, and so is its path inside of a step.
+template <class S>
+void bounces_as_exactly(S scheme) {
+  const Bouncing scene = dropped(0.8);
+  State ball = start(scene), exact = ball;
+  const Outcome outcome = run(scene, ball, 1.5, scheme, equal_steps<S>(0.13, 1e-15));
+  BOOST_TEST(run(scene, exact, 1.5, ExactFall(), FixedStep{.step = 0.13}).impacts == outcome.impacts);
+  BOOST_TEST(outcome.reason == "");
+  BOOST_TEST(close(flat(ball), flat(exact), {.absolute = 1e-11}));
+}
+
 BOOST_AUTO_TEST_SUITE(located_contact)
 
 BOOST_AUTO_TEST_CASE(is_checked_where_it_enters_a_scene) {
   CHECK_REFUSED(dropped(1.5), "e must lie in [0, 1], got 1.5");
+}
+
+BOOST_AUTO_TEST_CASE(is_met_by_explicit_and_one_step_schemes) {
+  bounces_as_exactly(RungeKutta4());
+  bounces_as_exactly(VelocityVerlet());
+  bounces_as_exactly(PhiFamily<>(0.5));
 }
 
 // Impact k at fall (1 + 2 (e + ... + e^k)), with e^k of the first speed; however long the steps are.
@@ -173,9 +193,9 @@ BOOST_AUTO_TEST_CASE(is_unsettled_where_forces_have_no_value) {
 BOOST_AUTO_TEST_CASE(goes_with_events) {
   const Bouncing scene = dropped(1.0);
   State ball = start(scene);
-  Watch watch({.functions = [](const State& at, Out g) { g[0] = at.v[2]; },
-               .directions = {Direction::falling},
-               .actions = {particulate::schemes::Action::record}});
+  Watch watch({{.function = [](const State& at) { return at.v[2]; },
+                .direction = Direction::falling,
+                .action = particulate::schemes::Action::record}});
   const Outcome outcome = run(scene, ball, 5.5 * fall, ExactFall(), FixedStep{.step = 0.5}, watch);
   BOOST_TEST(outcome.impacts == 3);
   BOOST_REQUIRE(watch.hits().size() == 2U);

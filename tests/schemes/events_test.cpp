@@ -18,11 +18,11 @@ using namespace particulate::schemes;
 
 // The first place, or without places the first value, less a level.
 Events crossing(double level, Direction direction) {
-  return {.functions = [level](const State& at, Out out) { out[0] = (at.r.size() > 0 ? at.r[0] : at.y[0]) - level; },
-          .directions = {direction}};
+  return {{.function = [level](const State& at) { return (at.r.size() > 0 ? at.r[0] : at.y[0]) - level; },
+           .direction = direction}};
 }
 Events recorded(Events events) {
-  events.actions.assign(events.directions.size(), Action::record);
+  for (Event& event : events) event.action = Action::record;
   return events;
 }
 
@@ -93,29 +93,16 @@ void validate(const Halving&) {}
 
 BOOST_AUTO_TEST_SUITE(validate_)
 
-BOOST_AUTO_TEST_CASE(accepts_no_events_and_events_with_and_without_names_and_actions) {
+BOOST_AUTO_TEST_CASE(accepts_no_events_and_events_with_a_function) {
   BOOST_CHECK_NO_THROW(validate(Events{}));
-  Events events = crossing(0.0, Direction::either);
-  BOOST_CHECK_NO_THROW(validate(events));
-  events.names = {"level"};
-  events.actions = {Action::record};
-  BOOST_CHECK_NO_THROW(Watch(events, {.graze = 0.0, .most_at_once = 1}));
+  BOOST_CHECK_NO_THROW(Watch(crossing(0.0, Direction::either), {.graze = 0.0, .most_at_once = 1}));
 }
 
 BOOST_AUTO_TEST_CASE(refuses_half_an_event) {
-  Events events = crossing(0.0, Direction::either);
-  events.directions.clear();
-  CHECK_REFUSED(validate(events), "must be given together, got functions and 0 directions");
-  events = {.functions = {}, .directions = {Direction::rising, Direction::rising}};
-  CHECK_REFUSED(Watch{events}, "got no functions and 2 directions");
-  events = crossing(0.0, static_cast<Direction>(2));
-  CHECK_REFUSED(validate(events), "direction 0 must be falling, either or rising, got number 2");
-  events = crossing(0.0, Direction::either);
-  events.names = {"one", "two"};
-  CHECK_REFUSED(validate(events), "a name must be given for each of 1 functions or for none, got 2");
-  events.names.clear();
-  events.actions = {Action::stop, Action::stop};
-  CHECK_REFUSED(validate(events), "an action must be given for each of 1");
+  CHECK_REFUSED(validate(Events{{.direction = Direction::rising}}), "events: event 0 needs a function");
+  CHECK_REFUSED((Watch{Events{{.name = "the ground"}}}), "events: the ground needs a function");
+  CHECK_REFUSED(validate(crossing(0.0, static_cast<Direction>(2))),
+                "the direction of event 0 must be falling, either or rising, got number 2");
 }
 
 BOOST_AUTO_TEST_CASE(refuses_settings_that_cannot_be_meant) {
@@ -132,7 +119,7 @@ BOOST_AUTO_TEST_SUITE(describe_)
 BOOST_AUTO_TEST_CASE(says_which_event_and_how) {
   Events events = crossing(0.0, Direction::either);
   BOOST_TEST(describe(events, {.event = 0, .crossing = Direction::rising}) == "event 0 rising");
-  events.names = {"the ground"};
+  events[0].name = "the ground";
   BOOST_TEST(describe(events, {.event = 0, .crossing = Direction::falling}) == "the ground falling");
   BOOST_TEST(describe(events, {.event = 0, .crossing = Direction::either}) == "the ground touching zero");
 }
@@ -149,7 +136,7 @@ BOOST_AUTO_TEST_CASE(stops_cleanly_at_a_condition) {
     ExactFall scheme{.blur = blur};
     FixedStep control{.step = 0.3};
     Events events = landing();
-    events.names = {"the ground"};
+    events[0].name = "the ground";
     Watch watch(events);
     const Outcome outcome = integrate(problem, stone, 5.0, scheme, control, watch);
     BOOST_TEST((outcome.status == Status::stopped));
@@ -197,13 +184,10 @@ BOOST_AUTO_TEST_CASE(finds_several_in_one_step_in_their_order) {
 }
 
 BOOST_AUTO_TEST_CASE(takes_events_of_one_time_together_in_the_order_of_their_functions) {
-  const Events three{.functions =
-                         [](const State& at, Out out) {
-                           out[0] = at.y[0] - 0.6;
-                           out[1] = at.y[0] - 0.8;
-                           out[2] = 1.2 - 2.0 * at.y[0];
-                         },
-                     .directions = {Direction::either, Direction::rising, Direction::either}};
+  const Events three{
+      {.function = [](const State& at) { return at.y[0] - 0.6; }},
+      {.function = [](const State& at) { return at.y[0] - 0.8; }, .direction = Direction::rising},
+      {.function = [](const State& at) { return 1.2 - 2.0 * at.y[0]; }}};
   State state = sine_start();
   Watch watch(three);
   const auto next = [&] { return run(Sine{}, state, 3.0, ExactSine(), FixedStep{.step = 0.7}, watch).reason; };
@@ -218,9 +202,8 @@ BOOST_AUTO_TEST_CASE(takes_events_of_one_time_together_in_the_order_of_their_fun
 }
 
 BOOST_AUTO_TEST_CASE(stops_at_the_first_that_stops_and_remembers_the_others) {
-  Events events{.functions = [](const State& at, Out out) { out << at.y[0] - 0.6, at.y[0] - 0.9; },
-                .directions = {Direction::either, Direction::either},
-                .actions = {Action::record, Action::stop}};
+  const Events events{{.function = [](const State& at) { return at.y[0] - 0.6; }, .action = Action::record},
+                      {.function = [](const State& at) { return at.y[0] - 0.9; }}};
   const Run made = sine_until(10.0, events);
   BOOST_TEST((made.outcome.status == Status::stopped));
   BOOST_TEST(made.outcome.reason == "event 1 rising");
@@ -314,8 +297,7 @@ BOOST_AUTO_TEST_CASE(tells_a_graze_from_a_miss_by_a_step_solved_anew) {
 
 BOOST_AUTO_TEST_CASE(counts_an_event_at_the_end_and_none_beyond_it) {
   BOOST_TEST((sine_until(pi - 1e-12, crossing(0.0, Direction::falling)).outcome.status == Status::reached));
-  const Events clock{.functions = [](const State& at, Out out) { out[0] = at.t - 1.2; },
-                     .directions = {Direction::either}};
+  const Events clock{{.function = [](const State& at) { return at.t - 1.2; }}};
   for (const double step : {0.7, 0.35, 0.1}) {
     const Run at_the_end = sine_until(1.2, clock, step);
     BOOST_TEST((at_the_end.outcome.status == Status::stopped));
@@ -405,9 +387,8 @@ BOOST_AUTO_TEST_CASE(leaves_the_controllers_step_alone_and_forgets_after_a_short
   ExactSine scheme;
   FixedStep control{.step = 2.0};
   // 0.1 s into a step of 2 s: too little to extrapolate from. 1.9 s into one: enough.
-  Watch watch({.functions = [](const State& at, Out out) { out << at.t - 0.6, at.t - 2.5; },
-               .directions = {Direction::either, Direction::either},
-               .actions = {Action::record, Action::record}});
+  Watch watch(recorded({{.function = [](const State& at) { return at.t - 0.6; }},
+                        {.function = [](const State& at) { return at.t - 2.5; }}}));
   BOOST_TEST(integrate(problem, state, 0.65, scheme, control, watch).steps == 2);
   BOOST_TEST(scheme.forgotten == 0);  // the step was 0.15 s long, to the end
   state = sine_start();
@@ -420,8 +401,7 @@ BOOST_AUTO_TEST_CASE(leaves_the_controllers_step_alone_and_forgets_after_a_short
 // The ground sends the stone back: its velocity passes zero in a jump, and is zero again at the top of its way.
 BOOST_AUTO_TEST_CASE(takes_a_jump_across_zero_for_no_event) {
   State stone = thrown(1.0, 0.0);
-  Watch watch(
-      recorded({.functions = [](const State& at, Out out) { out[0] = at.v[0]; }, .directions = {Direction::either}}));
+  Watch watch(recorded({{.function = [](const State& at) { return at.v[0]; }}}));
   const Outcome outcome = run(Bouncing{}, stone, 6.5, ExactFall(), FixedStep{.step = 0.3}, watch);
   BOOST_TEST(outcome.impacts == 3);
   meets(watch.hits(), {2.0, 4.0, 6.0});
@@ -430,8 +410,8 @@ BOOST_AUTO_TEST_CASE(takes_a_jump_across_zero_for_no_event) {
 
 BOOST_AUTO_TEST_CASE(is_continued_to_the_same_bits_from_copies) {
   const Sine problem;
-  const Events events = recorded({.functions = [](const State& at, Out out) { out << at.y[0] - 0.3, at.y[0] - 1.0; },
-                                  .directions = {Direction::either, Direction::either}});
+  const Events events = recorded({{.function = [](const State& at) { return at.y[0] - 0.3; }},
+                                  {.function = [](const State& at) { return at.y[0] - 1.0; }}});
   State state = sine_start();
   ExactSine scheme;
   FixedStep control{.step = 0.7};
@@ -453,14 +433,14 @@ BOOST_AUTO_TEST_CASE(is_continued_to_the_same_bits_from_copies) {
 }
 
 BOOST_AUTO_TEST_CASE(refuses_a_function_that_is_not_finite) {
-  const Events events{.functions = [](const State& at, Out out) { out << 1.0, at.t > 1.0 ? not_a_number : 1.0; },
-                      .directions = {Direction::either, Direction::either}};
-  CHECK_REFUSED(sine_until(3.0, events), "events: function 1 must be finite, got nan at t = ");
+  const Events events{{.function = [](const State&) { return 1.0; }},
+                      {.function = [](const State& at) { return at.t > 1.0 ? not_a_number : 1.0; }}};
+  CHECK_REFUSED(sine_until(3.0, events), "events: the function of event 1 must be finite, got nan at t = ");
 }
 
 BOOST_AUTO_TEST_CASE(passes_on_what_a_function_throws) {
   struct Odd {};
-  const Events events{.functions = [](const State&, Out) { throw Odd{}; }, .directions = {Direction::either}};
+  const Events events{{.function = [](const State&) -> double { throw Odd{}; }}};
   BOOST_CHECK_THROW((void)sine_until(3.0, events), Odd);
 }
 

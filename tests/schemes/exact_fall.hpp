@@ -26,6 +26,7 @@ struct ExactFall {
   }
   void accept(double) { ++accepted; }
   void forget() { ++forgotten; }
+  void begin(const particulate::schemes::Problem&, const particulate::schemes::State&) {}
   void at(const particulate::schemes::State& from, double dt, double theta, particulate::schemes::State& there) const {
     const double t = theta * dt;
     there.t = from.t + t;
@@ -50,6 +51,7 @@ struct ExactSine {
   }
   void accept(double) {}
   void forget() { ++forgotten; }
+  void begin(const particulate::schemes::Problem&, const particulate::schemes::State&) {}
   void at(const particulate::schemes::State& from, double dt, double theta, particulate::schemes::State& there) const {
     there.t = from.t + theta * dt;
     there.y = Eigen::VectorXd::Constant(1, std::sin(there.t));

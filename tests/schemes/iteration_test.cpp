@@ -99,6 +99,16 @@ BOOST_AUTO_TEST_CASE(takes_no_infinite_change_for_a_value_and_keeps_the_last_fin
   }
 }
 
+// A distance that overflows measures nothing: w = 0 of it would be neither a first sweep nor a settled one, for ever.
+BOOST_AUTO_TEST_CASE(takes_no_infinite_displacement_for_a_measure) {
+  for (const auto& [displacement, size] : {std::pair(infinity, 1.0), std::pair(1.0, infinity)}) {
+    IterationMeasure measure;
+    measure.begin(1);
+    measure.normalize(displacement, size);
+    BOOST_TEST(!measure.record(0.0).evaluated);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(remembers_after_an_overflow_that_the_sweeps_were_diverging) {
   IterationMeasure measure;
   measure.begin(1);

@@ -31,13 +31,18 @@ static_assert(!Advances<VelocityVerlet, Decay>);
 static_assert(Advances<Staggered, Fields> && !Advances<RungeKutta4, Fields> && !Advances<Staggered, Spring>);
 static_assert(Advances<VelocityVerlet, Problem>, "of an erased problem it is known only when a run starts");
 static_assert(!Advances<Damped, Spring>, "what is no scheme advances nothing");
-static_assert(!Iterative<RungeKutta4> && !Dense<RungeKutta4> && !Measured<RungeKutta4> && Limited<RungeKutta4>);
+static_assert(!Iterative<RungeKutta4> && Dense<RungeKutta4> && !Measured<RungeKutta4> && Limited<RungeKutta4>);
 
 struct Swept : RungeKutta4 {
   Iteration sweep(const Problem&, const State&, double, State&) { return {}; }
   void at(const State&, double, double, State&) const {}
 };
 static_assert(Iterative<Swept> && Dense<Swept>);
+
+struct WithoutDense : RungeKutta4 {
+  void at() const;
+};
+static_assert(Scheme<WithoutDense> && !Dense<WithoutDense>);
 
 // History behind a pointer would be shared by a checkpoint.
 struct Uncopyable : RungeKutta4 {

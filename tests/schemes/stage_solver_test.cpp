@@ -51,7 +51,7 @@ double solved(bool sparse, const Problem& problem) {
   State at{.y = zero};
   if (problem.traits().motion) at = {.r = zero, .v = zero};
   NewtonSteps newton(sparse);
-  BOOST_REQUIRE(newton.prepare(problem, at, 0.5, {.A = Eigen::MatrixXd::Ones(1, 1), .sizes = one}));
+  BOOST_REQUIRE(newton.prepare(problem, at, 0.5, {.A = Eigen::MatrixXd::Ones(1, 1), .sizes = one, .speed = 1.0}));
   return newton.solve(one)(0, 0);
 }
 

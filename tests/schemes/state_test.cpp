@@ -1,7 +1,14 @@
 #include <particulate/schemes/state.hpp>
 
+#include <string>
+#include <type_traits>
+#include <utility>
+
+#include <fmt/format.h>
+
 #include "close.hpp"
 #include "problems.hpp"
+#include "says.hpp"
 
 namespace tests::state_test {
 
@@ -26,6 +33,65 @@ BOOST_AUTO_TEST_CASE(leaves_out_what_is_not_there) {
   BOOST_TEST(close(flat({.y = Eigen::Vector2d(8.0, 9.0)}), Eigen::Vector2d(8.0, 9.0), {}));
   BOOST_TEST(close(flat(displaced()), Eigen::Vector2d(1.0, 0.0), {}));
   BOOST_TEST(flat(State{}).size() == 0);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+// Two particles: r_0 = (1, 3, 5), r_1 = (2, 4, 6), velocities ten times that.
+State two_particles() {
+  State state;
+  state.r = Eigen::VectorXd::LinSpaced(6, 1.0, 6.0);
+  state.v = 10.0 * state.r;
+  return state;
+}
+
+BOOST_AUTO_TEST_SUITE(views)
+
+BOOST_AUTO_TEST_CASE(read_a_row_a_particle) {
+  const State state = two_particles();
+  BOOST_TEST((positions(state).row(1) == Eigen::RowVector3d(2.0, 4.0, 6.0)));
+  BOOST_TEST((velocities(state).row(0) == Eigen::RowVector3d(10.0, 30.0, 50.0)));
+  BOOST_TEST((position(state, 0) == Eigen::Vector3d(1.0, 3.0, 5.0)));
+  BOOST_TEST((velocity(state, 1) == Eigen::Vector3d(20.0, 40.0, 60.0)));
+  BOOST_TEST(positions(state).data() == state.r.data());  // no copy
+  const State without{.y = Eigen::Vector2d::Ones()};
+  BOOST_TEST(positions(without).rows() == 0);
+}
+
+BOOST_AUTO_TEST_CASE(write_where_the_numbers_stand) {
+  State state = two_particles();
+  const Eigen::Vector3d before = position(state, 1);
+  set_position(state, 1, {7.0, 8.0, 9.0});
+  set_velocity(state, 0, -velocity(state, 0));
+  positions(state).col(0).array() += 100.0;
+  velocities(state).row(1).setZero();
+  BOOST_TEST((before == Eigen::Vector3d(2.0, 4.0, 6.0)));  // a copy
+  BOOST_TEST(close(state.r, (Eigen::VectorXd(6) << 101.0, 107.0, 3.0, 8.0, 5.0, 9.0).finished(), {}));
+  BOOST_TEST(close(state.v, (Eigen::VectorXd(6) << -10.0, 0.0, -30.0, 0.0, -50.0, 0.0).finished(), {}));
+}
+
+// An assignment to what is read would change a copy, a view of a temporary would read what is gone: neither compiles.
+template <class S>
+concept HasView = requires(S&& state) {
+  positions(std::forward<S>(state));
+};
+static_assert(HasView<State&> && HasView<const State&> && !HasView<State> && !HasView<const State>);
+static_assert(!std::is_assignable_v<decltype(position(std::declval<State&>(), 0)), Eigen::Vector3d>);
+
+BOOST_AUTO_TEST_CASE(refuse_what_is_no_array_of_particles_and_particles_that_are_not_there) {
+  State state = two_particles();
+  for (const Eigen::Index i : {-1, 2}) {
+    const std::string words = fmt::format("asked for with 0 <= i < 2, got i = {}", i);
+    CHECK_REFUSED(position(state, i), words);
+    CHECK_REFUSED(velocity(state, i), words);
+    CHECK_REFUSED(set_position(state, i, Eigen::Vector3d::Zero()), words);
+    CHECK_REFUSED(set_velocity(state, i, Eigen::Vector3d::Zero()), words);
+  }
+  state.v.resize(0);
+  CHECK_REFUSED(velocity(state, 0), "0 <= i < 0");
+  state.r.resize(7);
+  CHECK_REFUSED(positions(state), "r must hold three numbers a particle, all x, all y, all z, got 7");
+  CHECK_REFUSED(position(state, 0), "got 7");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

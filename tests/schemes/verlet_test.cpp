@@ -141,9 +141,7 @@ BOOST_AUTO_TEST_CASE(asks_once_a_step_and_once_more_at_the_start) {
   VelocityVerlet scheme;
   FixedStep control{.step = 0.125};
   BOOST_TEST(integrate(problem, state, 2.0, scheme, control).evaluations == 17);
-  BOOST_TEST(integrate(problem, state, 4.0, scheme, control).evaluations == 16);
-  scheme.forget();
-  BOOST_TEST(integrate(problem, state, 6.0, scheme, control).evaluations == 17);
+  BOOST_TEST(integrate(problem, state, 4.0, scheme, control).evaluations == 17);  // the problem may have changed
 }
 
 BOOST_AUTO_TEST_CASE(uses_no_stale_acceleration_where_positions_or_time_were_changed) {
@@ -206,8 +204,8 @@ BOOST_AUTO_TEST_CASE(continues_from_a_copy_to_the_same_bits) {
   BOOST_TEST(integrate(problem, state, 1.0, scheme, control).steps == 8);
   State checkpoint = state;
   VelocityVerlet copied = scheme;
-  BOOST_TEST(integrate(problem, state, 2.0, scheme, control).evaluations == 8);
-  BOOST_TEST(integrate(problem, checkpoint, 2.0, copied, control).evaluations == 8);
+  BOOST_TEST(integrate(problem, state, 2.0, scheme, control).evaluations == 9);
+  BOOST_TEST(integrate(problem, checkpoint, 2.0, copied, control).evaluations == 9);
   same_bits(checkpoint, state);
   same_bits(whole, state);
 }

@@ -160,11 +160,22 @@ const Case schemes_against_sundials{{.name = "schemes_against_sundials",
                                      .reference = Reference::sundials},
                                     prove_schemes_against_sundials};
 
-// A run in two parts is the run in one; a state that was moved between them is met afresh.
+// A run in two parts is the run in one; a state that was moved between them is met afresh, and so are other forces.
+
+// The forces of a scene, which somebody turns up.
+struct Adjustable {
+  const NearFieldScene& scene;
+  double strength = 1.0;
+  bool acceleration(double t, schemes::In r, schemes::Out a) const {
+    const bool valued = scene.acceleration(t, r, a);
+    a *= strength;
+    return valued;
+  }
+};
 
 // Goes on with a scheme that may have a past; returns the number of right-hand sides.
-template <class S>
-long go_on(NearFieldScene& scene, schemes::State& state, double t_end, S& scheme) {
+template <class S, class P>
+long go_on(P& scene, schemes::State& state, double t_end, S& scheme) {
   schemes::FixedStep control{.step = 1.0 / 64.0};
   const schemes::Outcome outcome = integrate(scene, state, t_end, scheme, control);
   require_reached(outcome);
@@ -198,6 +209,18 @@ void compare_continued(Rows& rows, const std::string& method, NearFieldScene& sc
   go_on(scene, anew, 1.0, fresh);
   rows.none("components that differ, moved state with and without a past, " + method, differing(moved, anew),
             "what a scheme kept holds where it was computed, nowhere else");
+
+  Adjustable forces{scene};
+  schemes::State stronger = start;
+  S knew;
+  go_on(forces, stronger, 0.5, knew);
+  forces.strength = 2.0;
+  anew = stronger;
+  fresh = S();
+  go_on(forces, stronger, 1.0, knew);
+  go_on(forces, anew, 1.0, fresh);
+  rows.none("components that differ, forces doubled in place with and without a past, " + method,
+            differing(stronger, anew), "the same problem may ask for something else in the next run");
   rows.equal("right-hand sides in 64 steps, " + method,
              {.expected = evaluations,
               .computed = asked,

@@ -195,7 +195,7 @@ Jumped jump_of(const Scene& scene, double dt) {
   particulate::schemes::State state = particulate::scenes::start(scene);
   const particulate::schemes::Jump jump = scene.jump(state, dt);
   if (!jump.unsettled.empty()) throw std::runtime_error("a jump was not completed: " + jump.unsettled);
-  return {.jump = jump, .v = state.v.reshaped(scene.particles().size(), 3)};
+  return {.jump = jump, .v = velocities(state)};
 }
 
 /// A scene of particles in unbounded space that meet, and feel nothing else.

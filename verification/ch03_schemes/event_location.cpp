@@ -47,9 +47,9 @@ Run spring_until(double t_end, double step, const Events& events) {
 }
 
 Events level(double of, Direction direction, schemes::Action action = schemes::Action::record) {
-  return {.functions = [of](const schemes::State& at, schemes::Out g) { g[0] = at.r[0] - of; },
-          .directions = {direction},
-          .actions = {action}};
+  return {{.function = [of](const schemes::State& at) { return at.r[0] - of; },
+           .direction = direction,
+           .action = action}};
 }
 
 // Passages of cos t through a level: falling at acos, rising at 2 pi - acos, and so on.
@@ -88,11 +88,14 @@ void directions(Rows& rows) {
 
 // Three functions, of which two have a zero in common; the third's come between, several in each long step.
 Events three_functions() {
-  return {.functions = [](const schemes::State& at,
-                          schemes::Out g) { g << at.r[0] - 0.3, 0.6 - 2.0 * at.r[0], at.v[0] + 0.7; },
-          .directions = {Direction::either, Direction::rising, Direction::either},
-          .names = {"place", "twin", "speed"},
-          .actions = std::vector(3, schemes::Action::record)};
+  using schemes::Action, schemes::State;
+  return {
+      {.function = [](const State& at) { return at.r[0] - 0.3; }, .action = Action::record, .name = "place"},
+      {.function = [](const State& at) { return 0.6 - 2.0 * at.r[0]; },
+       .direction = Direction::rising,
+       .action = Action::record,
+       .name = "twin"},
+      {.function = [](const State& at) { return at.v[0] + 0.7; }, .action = Action::record, .name = "speed"}};
 }
 
 std::string in_words(const std::vector<Hit>& hits) {
@@ -140,9 +143,9 @@ void against_cvode(Rows& rows) {
 }
 
 void at_the_ends(Rows& rows) {
-  Events moving{.functions = [](const schemes::State& at, schemes::Out g) { g << at.r[0] - 1.0 + 1e-3, at.v[0]; },
-                .directions = {Direction::either, Direction::either},
-                .actions = std::vector(2, schemes::Action::record)};
+  const Events moving{
+      {.function = [](const schemes::State& at) { return at.r[0] - 1.0 + 1e-3; }, .action = schemes::Action::record},
+      {.function = [](const schemes::State& at) { return at.v[0]; }, .action = schemes::Action::record}};
   const Run started = spring_until<6>(10.0, 0.3, moving);
   std::vector<Hit> speed;
   std::copy_if(started.hits.begin(), started.hits.end(), std::back_inserter(speed),
@@ -163,7 +166,7 @@ void at_the_ends(Rows& rows) {
 void stop(Rows& rows) {
   for (const double step : {0.05, 0.3, 2.0}) {
     Events events = level(-0.4, Direction::falling, schemes::Action::stop);
-    events.names = {"the place -0.4"};
+    events[0].name = "the place -0.4";
     const Run run = spring_until<6>(50.0, step, events);
     const std::string which = fmt::format(", steps of {} s", step);
     rows.equal("a run that ends at a condition" + which,

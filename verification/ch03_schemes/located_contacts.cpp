@@ -87,15 +87,15 @@ Motions by_roots(const kinematics::Particles& bodies, double t_end, double toler
   for (Eigen::Index i = 0; i < bodies.size(); ++i) {
     for (Eigen::Index j = i + 1; j < bodies.size(); ++j) pairs.push_back({i, j});
   }
-  const reference::Events events{.functions =
-                                     [&](const schemes::State& at, schemes::Out g) {
-                                       for (std::size_t k = 0; k < pairs.size(); ++k) {
-                                         const auto& [i, j] = pairs[k];
-                                         g[static_cast<Eigen::Index>(k)] = (row_of(at.r, j) - row_of(at.r, i)).norm() -
-                                                                           bodies.radius[i] - bodies.radius[j];
-                                       }
-                                     },
-                                 .directions = std::vector(pairs.size(), reference::Direction::falling)};
+  reference::Events events;
+  for (const Pair& pair : pairs) {
+    events.push_back({.function =
+                          [&bodies, pair](const schemes::State& at) {
+                            const auto& [i, j] = pair;
+                            return (row_of(at.r, j) - row_of(at.r, i)).norm() - bodies.radius[i] - bodies.radius[j];
+                          },
+                      .direction = reference::Direction::falling});
+  }
   Motions run{.state = scenes::start(scene), .outcome = {}, .times = {}};
   reference::Integrator integrator(scene, run.state,
                                    reference::Adams{.relative = tolerance, .absolute = 0.1 * tolerance}, events);
@@ -320,9 +320,7 @@ template <int S>
 void pair_order(Rows& rows, const std::vector<long>& counts) {
   const double contact_time = std::sqrt(4.0 / 27.0) * (2.0 * std::numbers::pi / 3.0 + 0.25 * std::numbers::sqrt3);
   const auto scene = colliding_pair();
-  const auto apart = [](const schemes::State& there) {
-    return (there.r(Eigen::seqN(0, 3, 2)) - there.r(Eigen::seqN(1, 3, 2))).norm();
-  };
+  const auto apart = [](const schemes::State& there) { return (position(there, 0) - position(there, 1)).norm(); };
   const kinematics::Breathing motion(kinematics::breathing_pair(1.0, 0.5, 1.0, 1.0), 1.0);
   std::vector<double> steps, times, places;
   bool one_each = true;

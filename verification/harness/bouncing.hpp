@@ -72,17 +72,21 @@ inline particulate::schemes::State bouncing_truth(const BouncingScene& scene, co
   there.t = t;
   for (Eigen::Index i = 0; i < N; ++i) {
     const Bouncing::Moment now = Bouncing{.h = heights[static_cast<std::size_t>(i)], .e = e}.at(t);
-    there.r[2 * N + i] = ball_radius + now.z;
-    there.v[2 * N + i] = now.v;
+    positions(there)(i, 2) = ball_radius + now.z;
+    velocities(there)(i, 2) = now.v;
   }
   return there;
 }
 
 /// Events of N balls: each one's lowest point comes down to the ground.
 inline particulate::reference::Events ground_events(Eigen::Index N) {
-  return {.functions = [N](const particulate::schemes::State& at,
-                           particulate::schemes::Out g) { g = at.r.segment(2 * N, N).array() - ball_radius; },
-          .directions = std::vector(static_cast<std::size_t>(N), particulate::reference::Direction::falling)};
+  particulate::reference::Events events;
+  for (Eigen::Index i = 0; i < N; ++i) {
+    events.push_back(
+        {.function = [i](const particulate::schemes::State& at) { return position(at, i).z() - ball_radius; },
+         .direction = particulate::reference::Direction::falling});
+  }
+  return events;
 }
 
 /// What an impact on the ground does: the law itself, e u back, without forces meanwhile.

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <iostream>
 #include <map>
 #include <optional>
 #include <stdexcept>
@@ -13,9 +12,9 @@
 #include <fmt/format.h>
 
 #include <harness/claims.hpp>
-#include <particulate/report/command_line.hpp>
 #include <particulate/report/files.hpp>
-#include <particulate/report/table.hpp>
+#include <particulate/report/guarded.hpp>
+#include <particulate/report/output.hpp>
 
 namespace {
 
@@ -42,6 +41,7 @@ std::size_t column(const std::vector<std::string>& header, const std::string& na
 }
 
 Lines lines_of(const std::filesystem::path& folder) {
+  report::require_finished(folder);
   const std::filesystem::path file = folder / "rows.csv";
   const auto records = report::parse_csv(report::read_whole(file), file.native());
   if (records.empty()) throw std::runtime_error(fmt::format("{} must have a header, and is empty", file.native()));
@@ -125,14 +125,16 @@ int compare_folders(const std::string& before, const std::string& after) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc == 2 && std::string_view(argv[1]) == "--help") {
-    std::cout << "compare_rows BEFORE AFTER: what changed between the rows.csv of two folders.\n"
-                 "Exit status 1 if a verdict got worse or a row is gone, 2 if the folders cannot be compared.\n";
-    return 0;
-  }
-  if (argc != 3) {
-    std::cerr << "compare_rows: two folders must be given, got " << argc - 1 << ". See --help.\n";
-    return 2;
-  }
-  return report::guarded("compare_rows", [&] { return compare_folders(argv[1], argv[2]); });
+  return report::guarded("compare_rows", [&] {
+    if (argc == 2 && std::string_view(argv[1]) == "--help") {
+      fmt::print(
+          "compare_rows BEFORE AFTER: what changed between the rows.csv of two folders.\n"
+          "Exit status 1 if a verdict got worse or a row is gone, 2 if the folders cannot be compared.\n");
+      return 0;
+    }
+    if (argc != 3) {
+      throw std::invalid_argument(fmt::format("two folders must be given, got {}. See --help.", argc - 1));
+    }
+    return compare_folders(argv[1], argv[2]);
+  });
 }

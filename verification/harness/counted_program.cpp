@@ -9,6 +9,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <particulate/report/guarded.hpp>
+
 // Without its header the program still builds, but callgrind finds no marks, and instruction_count.cpp says so.
 #if __has_include(<valgrind/callgrind.h>)
 #include <valgrind/callgrind.h>
@@ -75,8 +77,7 @@ int in_a_process_of_its_own(const CountedScene& scene, long steps) {
   const pid_t child = fork();
   if (child == 0) {
     const bool done = attempt(scene, [&] { measure(scene, steps); });
-    std::fflush(stdout);
-    _exit(done ? 0 : 1);
+    _exit(std::fflush(stdout) == 0 && done ? 0 : 1);
   }
   int status = 1;
   return child > 0 && waitpid(child, &status, 0) == child && status == 0 ? 0 : 1;
@@ -91,7 +92,9 @@ int refused(const char* what) {
 
 }  // namespace
 
-int counted_program(int argc, const char* const* argv, std::span<const CountedScene> scenes) {
+namespace {
+
+int counted(int argc, const char* const* argv, std::span<const CountedScene> scenes) {
   std::vector<long> lengths;
   for (int i = 1; i < argc; ++i) {
     char* rest = nullptr;
@@ -107,6 +110,12 @@ int counted_program(int argc, const char* const* argv, std::span<const CountedSc
     for (const long steps : lengths) failed += in_a_process_of_its_own(scene, steps);
   }
   return failed == 0 ? 0 : 1;
+}
+
+}  // namespace
+
+int counted_program(int argc, const char* const* argv, std::span<const CountedScene> scenes) {
+  return particulate::report::guarded("counted", [&] { return counted(argc, argv, scenes); });
 }
 
 }  // namespace verification

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <stdexcept>
 
 #include <fmt/format.h>
 
@@ -246,7 +247,8 @@ void Rows::fail(const std::string& quantity, const std::string& failure) {
 }
 
 void Rows::write(const std::string& name, const particulate::report::Table& table) const {
-  particulate::report::Output(settings_.folder).write(name, table);
+  if (settings_.output == nullptr) throw std::logic_error("rows: a run that writes tables must have a folder");
+  settings_.output->write(name, table);
 }
 
 // FNV-1a over the name, then the finalizer of splitmix64 over both: cases whose names or seeds differ little get seeds

@@ -2,14 +2,13 @@
 
 #include <chrono>
 #include <cstdint>
-#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
 
 #include <harness/claims.hpp>
 #include <harness/work_precision.hpp>
-#include <particulate/report/table.hpp>
+#include <particulate/report/output.hpp>
 
 namespace verification {
 
@@ -40,10 +39,10 @@ class Rows {
  public:
   /// What the run was asked for.
   struct Settings {
-    bool quick = false;            ///< smaller sizes, no claim dropped
-    std::uint64_t seed = 1;        ///< of the whole run
-    int threads = 1;               ///< to hand on
-    std::filesystem::path folder;  ///< where results go
+    bool quick = false;                                   ///< smaller sizes, no claim dropped
+    std::uint64_t seed = 1;                               ///< of the whole run
+    int threads = 1;                                      ///< to hand on
+    const particulate::report::Output* output = nullptr;  ///< where results go
   };
   /// @param case_name  whose rows these are
   /// @param settings   what the run was asked for

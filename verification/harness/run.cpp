@@ -12,7 +12,8 @@
 #include <harness/results.hpp>
 #include <particulate/laws/near_field.hpp>
 #include <particulate/report/command_line.hpp>
-#include <particulate/report/files.hpp>
+#include <particulate/report/guarded.hpp>
+#include <particulate/report/output.hpp>
 #include <particulate/report/progress.hpp>
 #include <particulate/report/spelling.hpp>
 #include <particulate/report/stamp.hpp>
@@ -129,9 +130,9 @@ int run_cases(const report::CommandLine& command, std::string_view chapter, std:
   const report::Stamp stamp = report::make_stamp(command.line(), common.seed, kernel);
   fmt::print("{}\n\n", report::one_line(stamp));
   const std::vector<CaseResult> results =
-      prove_all(cases, {.quick = common.quick, .seed = common.seed, .threads = common.threads, .folder = common.out});
+      prove_all(cases, {.quick = common.quick, .seed = common.seed, .threads = common.threads, .output = &output});
   write_all(output, std::string(chapter), results, common.quick);
-  report::write_stamp(common.out, stamp);
+  output.finish(stamp);
   return conclude(results, chapter, title);
 }
 

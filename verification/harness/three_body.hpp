@@ -52,14 +52,15 @@ inline void set_row(Eigen::VectorXd& flat, Eigen::Index i, const Eigen::Vector3d
 
 /// Events of three bodies: the gap between two of them closes.
 inline particulate::reference::Events gap_events(const Eigen::VectorXd& radius) {
-  return {.functions =
-              [radius](const particulate::schemes::State& at, particulate::schemes::Out g) {
-                for (std::size_t k = 0; k < three_pairs.size(); ++k) {
-                  const auto& [i, j] = three_pairs[k];
-                  g[static_cast<Eigen::Index>(k)] = (row_of(at.r, j) - row_of(at.r, i)).norm() - radius[i] - radius[j];
-                }
-              },
-          .directions = std::vector(three_pairs.size(), particulate::reference::Direction::falling)};
+  particulate::reference::Events events;
+  for (const Pair& pair : three_pairs) {
+    events.push_back({.function =
+                          [pair, reach = radius[pair[0]] + radius[pair[1]]](const particulate::schemes::State& at) {
+                            return (row_of(at.r, pair[1]) - row_of(at.r, pair[0])).norm() - reach;
+                          },
+                      .direction = particulate::reference::Direction::falling});
+  }
+  return events;
 }
 
 /// What an impact of two of three bodies does: the impact map of section 2.2 at once, without other forces meanwhile.

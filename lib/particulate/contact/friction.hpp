@@ -29,9 +29,8 @@ void validate(const Friction& law);
 /// i; written in impulses it has a limit as the duration vanishes. With \f$ \mu_d \le \mu_s \f$ sliding friction is
 /// smaller than the one that sticks, so it never reverses the sliding.
 /// @param law             coefficients that validate() accepts
-/// @param slip            \f$ u_t + \Delta_t \f$: tangential velocity of i relative to j before the impact, plus what
-/// the
-///                        other forces add to it meanwhile [m/s]
+/// @param slip            \f$ u_t + \Delta_t \f$: tangential velocity of i relative to j before the impact, plus
+///                        what the other forces add to it meanwhile [m/s]
 /// @param reduced_mass    \f$ 1/(1/m_i + 1/m_j) \f$, finite [kg]
 /// @param normal_impulse  |J| >= 0 [N s]
 /// @return impulse on i; the opposite acts on j [N s]

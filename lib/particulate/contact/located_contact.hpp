@@ -113,8 +113,7 @@ void tell_rest(const Touching& touching, const ClosedGap& gap, const laws::At<la
 /// @param path          the step
 /// @param end           how far to look [-]
 /// @return its place, in (0, end]; none if no gap closes. A near miss is given as well where dense output, taken to be
-/// off
-///         by 1e-4 of the radii in the middle of the step, cannot tell it from a touch
+///         off by 1e-4 of the radii in the middle of the step, cannot tell it from a touch
 template <class R, class F, kinematics::Domain D>
 std::optional<double> first_impact(const LocatedContact<R, F>& law, const D& domain, const Eigen::VectorXd& radius,
                                    const Eigen::VectorXd& inverse_mass, const schemes::StepPath& path, double end) {

@@ -132,7 +132,7 @@ Eigen::MatrixXd couplings(const std::vector<Touch>& group, const Eigen::Matrix3X
 // look like that.
 Eigen::VectorXd group_pushes(const std::vector<Touch>& group, const Eigen::VectorXd& inverse_mass,
                              const Eigen::VectorXd& wanted) {
-  if (group.size() == 1) return wanted / coupling(group[0], group[0], inverse_mass);
+  if (group.size() == 1) return (wanted / coupling(group[0], group[0], inverse_mass)).cwiseMax(0.0);
   Eigen::Matrix3Xd normals(3, wanted.size());
   for (std::size_t k = 0; k < group.size(); ++k) normals.col(static_cast<Eigen::Index>(k)) = group[k].n;
   const Eigen::MatrixXd W = couplings(group, normals, inverse_mass);

@@ -146,6 +146,9 @@ Breathing::Breathing(const RadialForce& force, double r_0) {
 }
 
 Radial Breathing::at(double t) const {
+  if (!std::isfinite(t)) {
+    throw std::invalid_argument(fmt::format("breathing: the time must be finite, got {} s", t));
+  }
   // Time since the inner turning point, folded onto the half period in which r grows.
   long double phase = std::fmod(static_cast<long double>(t) / period_ + (starts_near_ ? 0.0L : 0.5L), 1.0L);
   if (phase < 0.0L) phase += 1.0L;

@@ -93,6 +93,7 @@ class Breathing {
   ///
   /// @param t  time since the start at rest, finite [s]
   /// @return radius and its rate
+  /// @throws std::invalid_argument for a time that is not finite
   Radial at(double t) const;
 
  private:

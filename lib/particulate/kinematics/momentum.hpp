@@ -2,6 +2,9 @@
 
 #include <particulate/kinematics/particles.hpp>
 
+/// @file
+/// Sums over all particles. Arrays of different lengths are refused with std::invalid_argument.
+
 namespace particulate::kinematics {
 
 /// Linear momentum of a set of particles.

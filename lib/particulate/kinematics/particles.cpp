@@ -1,6 +1,8 @@
 #include <particulate/kinematics/particles.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -53,6 +55,32 @@ void validate(const Particles& particles) {
   }
 }
 
+Particles particles(const std::vector<Particle>& list) {
+  const auto N = static_cast<Eigen::Index>(list.size());
+  Particles all{
+      .position = Vectors(N, 3), .velocity = Vectors(N, 3), .mass = Eigen::VectorXd(N), .radius = Eigen::VectorXd(N)};
+  const bool all_move = std::none_of(list.begin(), list.end(), [](const Particle& one) { return one.immovable; });
+  if (!all_move) all.immovable.resize(list.size());
+  for (Eigen::Index i = 0; i < N; ++i) {
+    const auto& [position, velocity, mass, radius, immovable] = list[static_cast<std::size_t>(i)];
+    const char* const missing = position.array().isNaN().any() ? "position"
+                                : std::isnan(mass)             ? "mass"
+                                : std::isnan(radius)           ? "radius"
+                                                               : nullptr;
+    if (missing != nullptr) {
+      throw std::invalid_argument(fmt::format(
+          "particles: each must be given a position, a mass and a radius, and particle {} has no {}", i, missing));
+    }
+    set_vector(all.position, i, position);
+    set_vector(all.velocity, i, velocity);
+    all.mass[i] = mass;
+    all.radius[i] = radius;
+    if (immovable) all.immovable[static_cast<std::size_t>(i)] = true;
+  }
+  validate(all);
+  return all;
+}
+
 Eigen::VectorXd inverse_masses(const Particles& particles) {
   Eigen::VectorXd inverse = particles.mass.cwiseInverse();
   for (std::size_t i = 0; i < particles.immovable.size(); ++i) {
@@ -61,7 +89,18 @@ Eigen::VectorXd inverse_masses(const Particles& particles) {
   return inverse;
 }
 
+void require_one_length(std::initializer_list<Eigen::Index> lengths) {
+  if (std::adjacent_find(lengths.begin(), lengths.end(), std::not_equal_to<>()) == lengths.end()) return;
+  throw std::invalid_argument(
+      fmt::format("arrays of particles must hold one entry a particle each, got {}", fmt::join(lengths, " and ")));
+}
+
 RelativeMotion relative_motion(const Particles& particles, Eigen::Index i, Eigen::Index j) {
+  for (const Eigen::Index k : {i, j}) {
+    if (k >= 0 && k < particles.size()) continue;
+    throw std::invalid_argument(
+        fmt::format("relative motion: a particle must be one of {}, counted from 0, got {}", particles.size(), k));
+  }
   return {.position = vector(particles.position, i) - vector(particles.position, j),
           .velocity = vector(particles.velocity, i) - vector(particles.velocity, j)};
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <initializer_list>
+#include <limits>
 #include <vector>
 
 #include <Eigen/Core>
@@ -33,9 +35,35 @@ struct Particles {
 ///
 /// @param particles  a start; no particle at all is allowed
 /// @throws std::invalid_argument if lengths differ, a position or velocity is not finite, a mass is not positive and
-/// finite, or
-///         a radius is negative or not finite
+///         finite, or a radius is negative or not finite
 void validate(const Particles& particles);
+
+/// One particle of a list. What it must be given is no number until it is; what is left out of the rest does nothing.
+struct Particle {
+  /// r_i, must be given [m]
+  Eigen::Vector3d position = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();        ///< v_i; left out: at rest [m/s]
+  double mass = std::numeric_limits<double>::quiet_NaN();    ///< m_i > 0, must be given [kg]
+  double radius = std::numeric_limits<double>::quiet_NaN();  ///< b_i >= 0, must be given; 0: a point [m]
+  bool immovable = false;                                    ///< whether no force and no impact moves it
+};
+
+/// Particles from a list, one after the other:
+///
+///     particles({{.position = {-0.5, 0.0, 0.0}, .mass = 1.0, .radius = 0.1},
+///                {.position = {0.5, 0.0, 0.0}, .velocity = {-1.0, 0.0, 0.0}, .mass = 2.0, .radius = 0.1}})
+///
+/// @param list  each with its position, mass and radius
+/// @return the same as arrays
+/// @throws std::invalid_argument naming the first particle of which something is not given, and as validate() does
+Particles particles(const std::vector<Particle>& list);
+
+/// Refuses arrays that belong to one set of particles and differ in length: read against each other they would give a
+/// number all the same.
+///
+/// @param lengths  entries of each array, one a particle [-]
+/// @throws std::invalid_argument naming the lengths
+void require_one_length(std::initializer_list<Eigen::Index> lengths);
 
 /// Inverse masses, zero for particles that are immovable.
 ///
@@ -72,6 +100,7 @@ struct RelativeMotion {
 /// @param i          the particle that is seen, 0 <= i < N
 /// @param j          the particle that sees it, 0 <= j < N
 /// @return relative position and velocity
+/// @throws std::invalid_argument for a particle that is not there
 RelativeMotion relative_motion(const Particles& particles, Eigen::Index i, Eigen::Index j);
 
 }  // namespace particulate::kinematics

@@ -46,11 +46,12 @@ class Scratch {
   std::vector<Line> lines_;
 };
 
-struct Velocity;     ///< names a part of a moment: velocities
-struct Temperature;  ///< names a part of a moment: temperatures
+struct Velocity;
+struct Temperature;
 
-/// What a law sees of a moment: time, places, masses, radii and what is immovable, and the parts that it names. Nothing
-/// is copied. A view with more parts converts to one with fewer.
+/// What a law sees of a moment: time, places, masses, radii and what is immovable, and the parts that it names:
+/// `Velocity`, the velocities and inverse masses, `Temperature`, the temperatures. Nothing is copied. A view with more
+/// parts converts to one with fewer.
 template <class... Parts>
 struct At;
 

@@ -69,7 +69,7 @@ void validate_match(const schemes::Problem& problem, const State& start, const M
   const Eigen::Index n = start.r.size() + start.v.size() + start.y.size();
   const auto* const bdf = std::get_if<Bdf>(&method);
   const bool of_cvode = bdf || std::holds_alternative<Adams>(method);
-  if (!events.directions.empty() && !(of_cvode && n > 0)) {
+  if (!events.empty() && !(of_cvode && n > 0)) {
     throw std::invalid_argument(
         fmt::format("integrator: events need the Adams or BDF methods and at least one unknown, got {} and {} unknowns",
                     kinds.at(method.index()), n));
@@ -105,8 +105,8 @@ struct Integrator::Machinery {
       : callback{.problem = problem,
                  .at = start,
                  .events = events,
-                 .residue = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(events.directions.size())),
-                 .armed = std::vector<bool>(events.directions.size(), false)},
+                 .residue = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(events.size())),
+                 .armed = std::vector<bool>(events.size(), false)},
         last{.t = start.t, .x = flat(start)},
         x(last.x) {
     std::visit([this](const auto& settings) { max_steps = settings.max_steps; }, method);
@@ -205,15 +205,17 @@ struct Integrator::Machinery {
     last.t = t;
     last.x = x;
     hits = solver.hits();
-    Eigen::VectorXd here(callback.residue.size());
     callback.at.t = t;
     unflatten(x, callback.at);
-    callback.events.functions(callback.at, here);
-    callback.residue = (here.array().abs() <= callback.residue.array()).select(callback.residue, 0.0);
+    Eigen::VectorXd here(callback.residue.size());
+    for (Eigen::Index k = 0; k < here.size(); ++k) {
+      here[k] = std::abs(callback.events[static_cast<std::size_t>(k)].function(callback.at));
+    }
+    callback.residue = (here.array() <= callback.residue.array()).select(callback.residue, 0.0);
     for (Hit& hit : hits) {
       hit.t = t;
       const auto k = static_cast<Eigen::Index>(hit.event);
-      callback.residue[k] = 2.0 * std::abs(here[k]);
+      callback.residue[k] = 2.0 * here[k];
     }
     return {};
   }

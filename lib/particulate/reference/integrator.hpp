@@ -17,6 +17,10 @@ namespace particulate::reference {
 /// thrown. Where it has no value, or none that is finite, the step is tried again smaller; so it is where a Jacobian is
 /// not finite.
 ///
+/// What a problem changes at once at the end of a step, such as the impacts of a scene, is left out: SUNDIALS advances
+/// the motion between jumps, and a ball falls through the floor unless events stop it there and the caller makes the
+/// jump.
+///
 /// Accuracy has a floor of about 1e-11 (Adams), 1e-12 (explicit Runge-Kutta) or 2e-9 (BDF) relative, measured over ten
 /// orbits of a Kepler problem; what must hold below that needs a closed form. One integrator is for one thread; several
 /// may run at once.

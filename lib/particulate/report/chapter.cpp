@@ -7,6 +7,10 @@
 
 namespace particulate::report {
 
+Chapter::Chapter(const CommandLine& line) : line_(line), output_(line.common().out) {
+  output_.write_parameters(line.parameters_toml());
+}
+
 Checks& Chapter::claims(const std::string& table) {
   const auto found = std::find_if(claims_.begin(), claims_.end(), [&](const auto& of) { return of.first == table; });
   return found != claims_.end() ? found->second : claims_.emplace_back(table, Checks()).second;
@@ -20,8 +24,7 @@ int Chapter::end(std::string_view kernel) const {
     all_hold = all_hold && checks.all_hold() && !checks.table().rows().empty();
   }
   std::cout.flush();
-  line_.write_parameters();
-  write_stamp(output_.folder(), make_stamp(line_.line(), common().seed, std::string(kernel)));
+  output_.finish(make_stamp(line_.line(), common().seed, std::string(kernel)));
   return all_hold ? 0 : 1;
 }
 

@@ -8,7 +8,8 @@
 
 #include <particulate/report/checks.hpp>
 #include <particulate/report/command_line.hpp>
-#include <particulate/report/table.hpp>
+#include <particulate/report/guarded.hpp>
+#include <particulate/report/output.hpp>
 
 namespace particulate::report {
 
@@ -16,8 +17,8 @@ namespace particulate::report {
 class Chapter {
  public:
   /// @param line  parsed; must outlive this object
-  /// @throws std::runtime_error if no file can be written to the folder of the results
-  explicit Chapter(const CommandLine& line) : line_(line), output_(line.common().out) {}
+  /// @throws std::runtime_error if no file can be written to the folder of the results, or another run is at work there
+  explicit Chapter(const CommandLine& line);
 
   /// @return the options that every program has
   const Common& common() const { return line_.common(); }
@@ -28,7 +29,8 @@ class Chapter {
   /// @return the claims under that name so far; the reference stays good
   Checks& claims(const std::string& table);
 
-  /// Ends the run: writes and prints the tables of claims, writes `parameters.toml` and `stamp.json`.
+  /// Ends the run: writes and prints the tables of claims, writes `stamp.json`. The `parameters.toml` that repeats it
+  /// is there from the beginning.
   /// @param kernel  the variant of the force kernel that ran, for the stamp
   /// @return the exit status: 0 if something is claimed and every claim holds, otherwise 1
   /// @throws std::runtime_error if a file cannot be written

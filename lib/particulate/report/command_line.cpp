@@ -14,7 +14,6 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include <particulate/report/files.hpp>
 #include <particulate/report/spelling.hpp>
 
 namespace particulate::report {
@@ -357,17 +356,6 @@ std::string CommandLine::parameters_toml() const {
                         std::visit([](const auto* value) { return toml(*value); }, target));
   }
   return text;
-}
-
-void CommandLine::write_parameters() const { write_whole(common_.out / "parameters.toml", parameters_toml()); }
-
-int guarded(std::string_view name, const std::function<int()>& body) {
-  try {
-    return body();
-  } catch (const std::exception& error) {
-    std::cerr << name << ": " << error.what() << '\n';
-    return 2;
-  }
 }
 
 }  // namespace particulate::report

@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <deque>
 #include <filesystem>
-#include <functional>
 #include <iosfwd>
 #include <optional>
 #include <string>
@@ -111,9 +110,6 @@ class CommandLine {
   std::string help() const;
   /// @return a TOML file of all fields as they are now, with seed and quick: what --config needs to repeat the run
   std::string parameters_toml() const;
-  /// Writes parameters_toml() to `<out>/parameters.toml`, whole.
-  /// @throws std::runtime_error if it cannot be written
-  void write_parameters() const;
 
  private:
   using Target = std::variant<double*, int*, std::uint64_t*, bool*, std::string*>;
@@ -138,11 +134,5 @@ class CommandLine {
   std::vector<Entry> entries_;
   std::string line_;
 };
-
-/// Runs a program's body and turns what it throws into a message and exit status 2.
-/// @param name  the program, which begins the message
-/// @param body  everything main() does; returns the exit status
-/// @return what body returned, or 2 after an exception
-int guarded(std::string_view name, const std::function<int()>& body);
 
 }  // namespace particulate::report

@@ -38,10 +38,22 @@ std::string Table::json() const {
 }
 
 std::string json(const Stamp& stamp) {
-  const ordered_json object{{"revision", stamp.revision},     {"compiler", stamp.compiler},   {"flags", stamp.flags},
-                            {"build_type", stamp.build_type}, {"processor", stamp.processor}, {"kernel", stamp.kernel},
-                            {"options", stamp.options},       {"seed", stamp.seed},           {"date", stamp.date}};
+  const ordered_json object{{"revision", stamp.revision},   {"compiler", stamp.compiler},
+                            {"flags", stamp.flags},         {"build_type", stamp.build_type},
+                            {"processor", stamp.processor}, {"kernel", stamp.kernel},
+                            {"options", stamp.options},     {"seed", stamp.seed},
+                            {"date", stamp.date},           {"files", stamp.files}};
   return dumped(object, 2) + "\n";
+}
+
+std::vector<std::string> files_of_stamp(const std::string& json) {
+  std::vector<std::string> files;
+  const ordered_json stamp = ordered_json::parse(json, nullptr, false);
+  if (!stamp.is_object() || !stamp.contains("files")) return files;
+  for (const ordered_json& file : stamp["files"]) {
+    if (file.is_string()) files.push_back(file.get<std::string>());
+  }
+  return files;
 }
 
 }  // namespace particulate::report

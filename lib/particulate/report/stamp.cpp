@@ -5,8 +5,6 @@
 
 #include <fmt/format.h>
 
-#include <particulate/report/files.hpp>
-
 // Written into the build tree by lib/cmake/revision.cmake, before this file is compiled.
 #include "build_facts.hpp"
 
@@ -49,10 +47,6 @@ Stamp make_stamp(std::string options, std::uint64_t seed, std::string kernel) {
 std::string one_line(const Stamp& stamp) {
   return fmt::format("revision {}, {} ({}), {}, kernel {}, seed {}, {}", stamp.revision, stamp.compiler,
                      stamp.build_type, stamp.processor, stamp.kernel, stamp.seed, stamp.date);
-}
-
-void write_stamp(const std::filesystem::path& folder, const Stamp& stamp) {
-  write_whole(folder / "stamp.json", json(stamp));
 }
 
 }  // namespace particulate::report

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <string>
+#include <vector>
 
 namespace particulate::report {
 
@@ -17,6 +17,7 @@ struct Stamp {
   std::string options;     ///< the command line
   std::uint64_t seed = 0;  ///< of the random numbers
   std::string date;        ///< UTC, ISO 8601
+  std::vector<std::string> files = {};  ///< that the run wrote, in their order; Output::finish() tells
 };
 
 /// Takes down revision, compiler, flags and build type of this build, the processor and the time now.
@@ -34,10 +35,8 @@ std::string one_line(const Stamp& stamp);
 /// @return a JSON object with one key a field
 std::string json(const Stamp& stamp);
 
-/// Writes `<folder>/stamp.json`, whole.
-/// @param folder  where the results are
-/// @param stamp   what they were made with
-/// @throws std::runtime_error if it cannot be written
-void write_stamp(const std::filesystem::path& folder, const Stamp& stamp);
+/// @param json  of a stamp, or any other text
+/// @return the files that it names; none if it names none
+std::vector<std::string> files_of_stamp(const std::string& json);
 
 }  // namespace particulate::report

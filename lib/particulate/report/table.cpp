@@ -108,14 +108,4 @@ std::string Table::text() const {
   return out;
 }
 
-Output::Output(std::filesystem::path folder) : folder_(std::move(folder)) { prepare_folder(folder_); }
-
-void Output::write(const std::string& name, const Table& table) const {
-  if (name.empty() || name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") != std::string::npos) {
-    throw std::invalid_argument(fmt::format(
-        "output: a table's name must be lower-case letters, digits and underscores, without .csv, got \"{}\"", name));
-  }
-  write_whole(folder_ / (name + ".csv"), table.csv());
-}
-
 }  // namespace particulate::report

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <concepts>
-#include <filesystem>
 #include <initializer_list>
 #include <string>
 #include <string_view>
@@ -69,8 +68,7 @@ class Table {
   /// @return the table with the quotes of RFC 4180, every line ended by LF; numbers by their shortest exact digits
   std::string csv() const;
   /// @return a JSON array with one object a row, keys in the order of the columns; numbers that JSON does not know
-  /// (nan,
-  ///         inf, -inf) stand as strings, missing entries as null
+  ///         (nan, inf, -inf) stand as strings, missing entries as null
   std::string json() const;
   /// @return aligned columns under their headers for a terminal: numbers to the right, texts to the left
   std::string text() const;
@@ -87,28 +85,7 @@ class Table {
 /// @param origin   its name, for messages
 /// @return the lines, the header first, each as many fields long as the header
 /// @throws std::runtime_error naming origin and line, if a quote does not close, something follows a closing quote, or
-/// a
-///         line has more or fewer fields than the header
+///         a line has more or fewer fields than the header
 std::vector<std::vector<std::string>> parse_csv(std::string_view content, const std::string& origin);
-
-/// The folder that a run writes its results to.
-class Output {
- public:
-  /// @param folder  made if it does not exist, and tried
-  /// @throws std::runtime_error if no file can be written there
-  explicit Output(std::filesystem::path folder);
-
-  /// Writes a table as `<folder>/<name>.csv`, whole.
-  /// @param name   file name without its ending: lower-case letters, digits, underscores
-  /// @param table  what to write
-  /// @throws std::invalid_argument for another kind of name, std::runtime_error if the file cannot be written
-  void write(const std::string& name, const Table& table) const;
-
-  /// @return the folder
-  const std::filesystem::path& folder() const { return folder_; }
-
- private:
-  std::filesystem::path folder_;
-};
 
 }  // namespace particulate::report

@@ -44,6 +44,9 @@ void add_jump(schemes::Jump one, schemes::Jump& all);
 
 [[noreturn]] void refuse_length(Eigen::Index given, Eigen::Index N);
 
+// Of the positions of all bodies, column by column.
+double closest(schemes::In r);
+
 // A vector of another length would be read beyond its end.
 inline void require_length(Eigen::Index given, Eigen::Index N) {
   if (given != 3 * N) refuse_length(given, N);
@@ -202,6 +205,23 @@ class Scene {
   /// @param y  another
   /// @return their distance [m]
   double distance(schemes::In x, schemes::In y) const { return (shaped(x) - shaped(y)).rowwise().norm().sum(); }
+
+  /// The distance of the two bodies that are nearest to one another, of those apart. @see schemes::HasScales
+  ///
+  /// @param r  positions, 3 N numbers
+  /// @return distance of their centres; 0 where there are no two [m]
+  double spacing(schemes::In r) const { return detail::closest(r); }
+  /// The mean velocity of the bodies, each counting once. One body alone shares its motion with none.
+  /// @see schemes::HasScales
+  ///
+  /// @param v       velocities, 3 N numbers [m/s]
+  /// @param shared  receives the mean, for every body, 3 N numbers [m/s]
+  void common_motion(schemes::In v, schemes::Out shared) const {
+    const Eigen::Index N = particles_.size();
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+      shared.segment(axis * N, N).setConstant(N > 1 ? v.segment(axis * N, N).mean() : 0.0);
+    }
+  }
 
  private:
   using Shaped = Eigen::Map<const kinematics::Vectors>;

@@ -33,39 +33,56 @@ void add_compensated(const Eigen::VectorXd& start, const Eigen::VectorXd& change
   carry = (sum - start) - change;
 }
 
-double largest(const Eigen::VectorXd& x) { return x.size() > 0 ? x.cwiseAbs().maxCoeff() : 0.0; }
+Sizes sizes_of(const CollocationSettings& settings) {
+  return {.size = settings.size, .speed = settings.speed, .each = settings.sizes};
+}
 
 }  // namespace
 
-void validate(const CollocationSettings& settings) {
-  const auto require = [](const char* what, double given) {
-    if (!(given > 0.0 && std::isfinite(given))) {
-      throw std::invalid_argument(fmt::format("collocation: {} must be positive and finite, got {}", what, given));
-    }
-  };
-  require("size", settings.size);
-  require("speed", settings.speed);
-  for (const double size : settings.sizes) require("sizes", size);
-}
+void validate(const CollocationSettings& settings) { validate("collocation", sizes_of(settings)); }
 
 AnyCollocation::AnyCollocation(const CollocationTable& table, int order, CollocationSettings settings,
                                StageSolver solver)
-    : table_(&table), A_(table.A), order_(order), settings_(std::move(settings)), solver_(std::move(solver)) {
+    : table_(&table),
+      A_(table.A),
+      order_(order),
+      settings_(std::move(settings)),
+      solver_(std::move(solver)),
+      scales_(sizes_of(settings_)) {
   validate(settings_);
 }
 
 bool AnyCollocation::predict(const Problem& problem, const State& from, double dt, State& to) {
-  begin(problem, from);
+  begin_step(problem, from);
   if (!guess(problem, from, dt)) return false;
-  if (is_newton()) {
-    const bool bad = retried_ || rate_ > slow;
-    if (!solver_.newton.prepare(problem, from, dt, {.A = A_, .sizes = sizes(from), .bad = bad})) return false;
-  }
   advance_time(from, dt, to);
   to.y = from.y;
   finish(from, dt, to);
+  if (is_newton() && !prepare_newton(problem, from, dt, to)) return false;
   if (!is_newton() && S() > 1) weigh_otherwise(dt);
   return true;
+}
+
+// The guess of the step shows how large its numbers are, where they start from zero; of those that stay at zero in it,
+// the rates at its end do.
+bool AnyCollocation::prepare_newton(const Problem& problem, const State& from, double dt, const State& to) {
+  scales_.look(problem, from, dt, to);
+  Eigen::VectorXd sizes = scales_.unknowns();
+  if (n_ + m_ > 0 && sizes.minCoeff() <= ErrorScales::smallest) {
+    stage_ = to;
+    if (!rates_here(problem, to.t)) return false;
+    stage_.r = to.r + (dt * dt) * f_.head(n_);
+    if (m_ > 0) stage_.y = to.y + dt * f_.tail(m_);
+    scales_.look(problem, from, dt, stage_);
+    sizes = scales_.unknowns();
+    stage_.y = from.y;
+  }
+  range_TOL_.resize(m_);
+  if (m_ > 0) {
+    for (const Range& range : problem.ranges(m_)) range_TOL_.segment(range.first, range.size).setConstant(range.TOL);
+  }
+  const bool bad = retried_ || rate_ > slow;
+  return solver_.newton.prepare(problem, from, dt, {.A = A_, .sizes = sizes, .speed = scales_.speed(), .bad = bad});
 }
 
 Iteration AnyCollocation::sweep(const Problem& problem, const State& from, double dt, State& to) {
@@ -73,7 +90,7 @@ Iteration AnyCollocation::sweep(const Problem& problem, const State& from, doubl
   if (is_newton()) {
     finish(from, dt, to);
     measures_.motion().normalize(1.0, 0.0);
-    return measures_.motion().record(newton_change_);
+    return measures_.motion().record(stage_change(image_, dt));
   }
   before_ = needs_speed_ ? to.v : to.r;
   before_y_ = to.y;
@@ -101,20 +118,22 @@ void AnyCollocation::measure(const Problem& problem, const State& from, double d
 void AnyCollocation::measure_motion(const Problem& problem, const State& from, double dt, const State& to) {
   IterationMeasure& measure = measures_.motion();
   const double scale = needs_speed_ ? dt : 1.0;
-  if (measure.waits_for_first()) {
-    if (zero_.size() != before_.size()) zero_.setZero(before_.size());
-    measure.normalize(problem.distance(to.r, from.r), scale * problem.distance(needs_speed_ ? from.v : from.r, zero_));
-  }
+  if (measure.waits_for_first()) { measures_.normalize_motion(problem, from, dt, to.r, scale); }
   double change = scale * problem.distance(needs_speed_ ? to.v : to.r, before_);
   if (S() > 1) change = std::max(change, problem.distance(other_r_, other_before_r_));
   measure.record(change);
 }
 
 Truncation AnyCollocation::truncation(const Problem& problem, const State& from, double dt, const State& to) {
-  if (order_ % 2 == 0 || m_ == 0) return leading_coefficient(dt, to);
-  const Truncation of_values = defect_at_start(problem, from, dt, to);
+  scales_.look(problem, from, dt, to);
+  if (S() == 1 && settings_.guess == Guess::free_flight) {
+    if (!has_old_ && !rates_at_start(problem, from)) return {};
+    guessed_ = has_old_ ? Eigen::VectorXd(old_.col(0)) : start_;
+  }
+  if (order_ % 2 == 0 || m_ == 0) return leading_coefficient(dt);
+  const Truncation of_values = defect_at_start(problem, from, dt);
   if (n_ == 0) return of_values;
-  const Truncation of_motion = leading_coefficient(dt, to);
+  const Truncation of_motion = leading_coefficient(dt);
   return of_values.error >= of_motion.error ? of_values : of_motion;
 }
 
@@ -126,15 +145,27 @@ void AnyCollocation::accept(double dt) {
   refused_at_ = std::numeric_limits<double>::quiet_NaN();
 }
 
+void AnyCollocation::begin(const Problem& problem, const State& state) {
+  if (problem.identity() != of_ || !continues(state) || !answers_as_before(problem)) forget();
+  of_ = problem.identity();
+}
+
+// Where it was asked last.
+bool AnyCollocation::answers_as_before(const Problem& problem) {
+  const Rates before = rates_;
+  return rates_here(problem, stage_.t) && rates_.a == before.a && rates_.dy == before.dy;
+}
+
 void AnyCollocation::forget() {
   accepted_ = has_old_ = false;
+  refused_at_ = std::numeric_limits<double>::quiet_NaN();
   end_.t = std::numeric_limits<double>::quiet_NaN();
   solver_.newton.forget();
 }
 
 void AnyCollocation::at(const State& from, double dt, double theta, State& there) const {
   const StageWeights once = table_->once(theta);
-  there.t = from.t + theta * dt;
+  advance_time(from, theta * dt, there);
   there.r = from.r + (theta * dt) * from.v;
   there.v = from.v;
   there.y = from.y;
@@ -145,15 +176,6 @@ void AnyCollocation::at(const State& from, double dt, double theta, State& there
   if (m_ > 0) add_weighted(once.data(), dt, k_.bottomRows(m_), there.y);
 }
 
-Eigen::VectorXd AnyCollocation::sizes(const State&) const {
-  if (settings_.sizes.size() == 0) return Eigen::VectorXd::Constant(n_ + m_, settings_.size);
-  if (settings_.sizes.size() != n_ + m_) {
-    throw std::invalid_argument(
-        fmt::format("collocation: sizes must be one for each of {} unknowns, got {}", n_ + m_, settings_.sizes.size()));
-  }
-  return settings_.sizes;
-}
-
 // --- The step --------------------------------------------------------------------------------------------------------
 
 void AnyCollocation::Carry::clear(const State& of) {
@@ -162,7 +184,7 @@ void AnyCollocation::Carry::clear(const State& of) {
   y.setZero(of.y.size());
 }
 
-void AnyCollocation::begin(const Problem& problem, const State& from) {
+void AnyCollocation::begin_step(const Problem& problem, const State& from) {
   const Traits& has = problem.traits();
   n_ = from.r.size();
   m_ = has.values ? from.y.size() : 0;
@@ -185,6 +207,7 @@ void AnyCollocation::begin(const Problem& problem, const State& from) {
     has_old_ = false;
     carry_.clear(from);
   }
+  scales_.check(n_ + m_);
   k_.resize(n_ + m_, S());
   f_.resize(n_ + m_);
   stage_.y = from.y;
@@ -218,6 +241,7 @@ bool AnyCollocation::guess(const Problem& problem, const State& from, double dt)
 }
 
 bool AnyCollocation::rates_here(const Problem& problem, double t) {
+  stage_.t = t;
   if (!problem.rates(t, stage_.r, stage_.v, stage_.y, rates_)) return false;
   f_.head(n_) = rates_.a;
   if (m_ > 0) f_.tail(m_) = rates_.dy;
@@ -264,7 +288,7 @@ bool AnyCollocation::renew_rates(const Problem& problem, const State& from, doub
     if (!rates_at_stage(problem, from, dt, i)) return false;
     image_.col(i) = f_;
   }
-  mix(from, dt);
+  mix();
   return true;
 }
 
@@ -285,11 +309,10 @@ void AnyCollocation::draw_through(Eigen::Index i) {
   }
 }
 
-void AnyCollocation::mix(const State& from, double dt) {
+void AnyCollocation::mix() {
   if (solver_.how == StageSolver::How::newton) {
-    const Eigen::MatrixXd change = solver_.newton.solve(image_ - k_);
-    k_ += change;
-    newton_change_ = stage_change(change, from, dt);
+    image_ = solver_.newton.solve(image_ - k_);  // the change
+    k_ += image_;
   } else if (solver_.how == StageSolver::How::at_once) {
     k_.swap(image_);
   } else {
@@ -299,23 +322,20 @@ void AnyCollocation::mix(const State& from, double dt) {
   }
 }
 
-// Largest change of a stage, each number over its size.
-double AnyCollocation::stage_change(const Eigen::MatrixXd& change, const State& from, double dt) const {
-  const Eigen::VectorXd size = sizes(from);
+// Largest change of a stage, each number over its size, values over the tolerance of their range too.
+double AnyCollocation::stage_change(const Eigen::MatrixXd& change, double dt) const {
+  if (!change.allFinite()) return std::numeric_limits<double>::quiet_NaN();
   double biggest = 0.0;
-  const auto look_at = [&](const auto& rows, const Eigen::VectorXd& at, const Eigen::VectorXd& least, double power,
-                           const CollocationTable::Square& A) {
-    for (Eigen::Index i = 0; i < S(); ++i) {
-      Eigen::VectorXd moved = Eigen::VectorXd::Zero(at.size());
-      add_weighted(A.row(i).data(), power, rows, moved);
-      biggest = std::max(biggest, largest(moved.cwiseQuotient(at.cwiseAbs().cwiseMax(least))));
-      if (!moved.allFinite()) return false;
-    }
-    return true;
-  };
-  const bool finite = (n_ == 0 || look_at(change.topRows(n_), from.r, size.head(n_), dt * dt, table_->A_bar)) &&
-                      (m_ == 0 || look_at(change.bottomRows(m_), from.y, size.tail(m_), dt, table_->A));
-  return finite ? biggest : std::numeric_limits<double>::quiet_NaN();
+  Eigen::VectorXd moved;
+  for (Eigen::Index i = 0; i < S(); ++i) {
+    moved.setZero(n_);
+    add_weighted(table_->A_bar.row(i).data(), dt * dt, change.topRows(n_), moved);
+    if (n_ > 0) biggest = std::max(biggest, scales_.of_places(moved));
+    moved.setZero(m_);
+    add_weighted(table_->A.row(i).data(), dt, change.bottomRows(m_), moved);
+    if (m_ > 0) biggest = std::max(biggest, scales_.of_values(moved.cwiseQuotient(range_TOL_)));
+  }
+  return biggest;
 }
 
 // The rates with the other one of the weights b and b_bar than the state that is measured, over the same powers of the
@@ -361,26 +381,15 @@ void AnyCollocation::finish(const State& from, double dt, State& to) {
 
 // --- Its error -------------------------------------------------------------------------------------------------------
 
-double AnyCollocation::over_value_sizes(const Eigen::VectorXd& x, const State& to) const {
-  if (settings_.sizes.size() > 0) { return largest(x.cwiseQuotient(to.y.cwiseAbs().cwiseMax(sizes(to).tail(m_)))); }
-  return x.size() > 0 ? (x.array().abs() / to.y.array().abs().max(settings_.size)).maxCoeff() : 0.0;
-}
-
 // Of accelerations, as they move velocities and, over the step, positions.
-double AnyCollocation::over_motion_sizes(const Eigen::VectorXd& a, const State& to, double dt) const {
-  const double speed = std::max(settings_.speed, largest(to.v));
-  if (settings_.sizes.size() > 0) {
-    return std::max(largest(a) / speed, dt * largest(a.cwiseQuotient(to.r.cwiseAbs().cwiseMax(sizes(to).head(n_)))));
-  }
-  const double size = std::max(settings_.size, largest(to.r));
-  return largest(a) * std::max(1.0 / speed, dt / size);
+double AnyCollocation::of_motion(const Eigen::VectorXd& a, double dt) const {
+  return std::max(scales_.of_speeds(a), dt * scales_.of_places(a));
 }
 
 // The larger of what it tells of the motion and of the values.
-Truncation AnyCollocation::leading_coefficient(double dt, const State& to) {
+Truncation AnyCollocation::leading_coefficient(double dt) {
   if (n_ + m_ == 0) return {.error = 0.0, .order = order_};
   if (S() == 1) {
-    if (settings_.guess == Guess::free_flight) return {};
     change_ = k_.col(0) - guessed_;
   } else {
     change_.setZero(k_.rows());
@@ -392,15 +401,15 @@ Truncation AnyCollocation::leading_coefficient(double dt, const State& to) {
     return rate == 0.0 ? 0.0 : dt * rate * std::pow(change / rate, power);
   };
   double error = 0.0;
-  if (n_ > 0) error = left(over_motion_sizes(change_.head(n_), to, dt), over_motion_sizes(f_.head(n_), to, dt));
+  if (n_ > 0) error = left(of_motion(change_.head(n_), dt), of_motion(f_.head(n_), dt));
   if (m_ > 0) {
-    const double of_values = left(over_value_sizes(change_.tail(m_), to), over_value_sizes(f_.tail(m_), to));
+    const double of_values = left(scales_.of_values(change_.tail(m_)), scales_.of_values(f_.tail(m_)));
     error = of_values >= error || std::isnan(of_values) ? of_values : error;
   }
   return {.error = error, .order = order_};
 }
 
-Truncation AnyCollocation::defect_at_start(const Problem& problem, const State& from, double dt, const State& to) {
+Truncation AnyCollocation::defect_at_start(const Problem& problem, const State& from, double dt) {
   const auto order = static_cast<int>(S());
   if (has_old_) {
     start_ = old_.col(S() - 1);
@@ -416,7 +425,7 @@ Truncation AnyCollocation::defect_at_start(const Problem& problem, const State& 
     stage_.y = from.y + error.tail(m_);
     if (rates_here(problem, from.t)) error = filtered(f_ - change_, dt);
   }
-  return {.error = over_value_sizes(error.tail(m_), to), .order = order};
+  return {.error = scales_.of_values(error.tail(m_)), .order = order};
 }
 
 Eigen::VectorXd AnyCollocation::filtered(const Eigen::VectorXd& defect, double dt) const {

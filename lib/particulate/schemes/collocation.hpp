@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -9,6 +10,7 @@
 #include <particulate/schemes/mixing.hpp>
 #include <particulate/schemes/newton.hpp>
 #include <particulate/schemes/problem.hpp>
+#include <particulate/schemes/scales.hpp>
 #include <particulate/schemes/stage_solver.hpp>
 
 namespace particulate::schemes {
@@ -23,8 +25,9 @@ enum class Guess {
 struct CollocationSettings {
   Guess guess = Guess::extrapolated;  ///< see Guess
   bool compensated = true;            ///< whether what rounding takes from the state is kept and added again
-  double size = 1.0;                  ///< errors of values and positions count relative above it, > 0 [their unit]
-  double speed = 1.0;                 ///< errors of velocities likewise, > 0 [m/s]
+  std::optional<double> size = {};    ///< errors of values and positions count relative above it, > 0 [their unit];
+                                      ///< none: see ErrorScales
+  std::optional<double> speed = {};   ///< errors of velocities likewise, > 0 [m/s]
   Eigen::VectorXd sizes = {};         ///< one size for each number in (r, y), instead of `size`; empty: none
 };
 
@@ -57,6 +60,15 @@ class AnyCollocation {
   /// @param of  what a problem has @return whether it has motion or values
   static constexpr bool advances(const Traits& of) { return of.motion || of.values; }
 
+  /// Begins a run: goes on from the last one where that ended, else anew.
+  ///
+  /// The problem is asked once more where it was asked last: if it answers otherwise, it was changed, and the run
+  /// begins anew.
+  ///
+  /// @param problem  whose history alone is kept
+  /// @param state    the start
+  void begin(const Problem& problem, const State& state);
+
   /// The guess: rates at the nodes, and the state at the end that they make.
   ///
   /// @param problem  the right-hand side; asked for the start's where there is no polynomial to extrapolate, and for
@@ -79,13 +91,13 @@ class AnyCollocation {
   /// @return how the iteration of each part of the state went; empty where there is one part alone
   std::span<const Iteration> iterations() const { return measures_.iterations(); }
 
-  /// The error that the step just made left, relative to the sizes of the settings; see Collocation.
+  /// The error that the step just made left, in its ErrorScales; see Collocation.
   ///
   /// @param problem  the right-hand side; Radau on values asks for one more after a refused step, and at the start
   /// @param from     state at the start
   /// @param dt       step [s]
   /// @param to       state at its end
-  /// @return the error and its order; NaN where the last step is unknown and one stage tells nothing
+  /// @return the error and its order
   Truncation truncation(const Problem& problem, const State& from, double dt, const State& to);
 
   /// Keeps the polynomial of the step just made, and what rounding added to its end.
@@ -121,9 +133,10 @@ class AnyCollocation {
 
   bool is_newton() const { return solver_.how == StageSolver::How::newton; }
   Eigen::Index S() const { return table_->stages(); }
-  Eigen::VectorXd sizes(const State& from) const;
-  void begin(const Problem& problem, const State& from);
+  bool prepare_newton(const Problem& problem, const State& from, double dt, const State& to);
+  void begin_step(const Problem& problem, const State& from);
   bool continues(const State& from) const;
+  bool answers_as_before(const Problem& problem);
   bool guess(const Problem& problem, const State& from, double dt);
   bool rates_at_start(const Problem& problem, const State& from);
   bool rates_at_stage(const Problem& problem, const State& from, double dt, Eigen::Index i);
@@ -131,16 +144,15 @@ class AnyCollocation {
   void add(const double* weights, double scale, Eigen::VectorXd& places, Eigen::VectorXd& values) const;
   bool renew_rates(const Problem& problem, const State& from, double dt);
   void draw_through(Eigen::Index i);
-  void mix(const State& from, double dt);
-  double stage_change(const Eigen::MatrixXd& change, const State& from, double dt) const;
+  void mix();
+  double stage_change(const Eigen::MatrixXd& change, double dt) const;
   void finish(const State& from, double dt, State& to);
   void weigh_otherwise(double dt);
   void measure(const Problem& problem, const State& from, double dt, const State& to);
   void measure_motion(const Problem& problem, const State& from, double dt, const State& to);
-  double over_motion_sizes(const Eigen::VectorXd& a, const State& to, double dt) const;
-  double over_value_sizes(const Eigen::VectorXd& x, const State& to) const;
-  Truncation leading_coefficient(double dt, const State& to);
-  Truncation defect_at_start(const Problem& problem, const State& from, double dt, const State& to);
+  double of_motion(const Eigen::VectorXd& a, double dt) const;
+  Truncation leading_coefficient(double dt);
+  Truncation defect_at_start(const Problem& problem, const State& from, double dt);
   Eigen::VectorXd filtered(const Eigen::VectorXd& defect, double dt) const;
 
   const CollocationTable* table_;
@@ -149,16 +161,19 @@ class AnyCollocation {
   CollocationSettings settings_;
   StageSolver solver_;
   PartMeasures measures_;
+  ErrorScales scales_;
+  Eigen::VectorXd range_TOL_;        // of each value, for Newton
   Eigen::Index n_ = 0, m_ = 0;       // places, and values with rates: the rows of what follows
   Eigen::MatrixXd k_, old_, image_;  // rates (a, dy), one column a stage
   Eigen::VectorXd f_, start_, guessed_;
   State stage_;
   Rates rates_;
-  Eigen::VectorXd change_, before_, before_y_, other_r_, other_y_, other_before_r_, other_before_y_, zero_;  // scratch
+  Eigen::VectorXd change_, before_, before_y_, other_r_, other_y_, other_before_r_, other_before_y_;  // scratch
   Carry carry_, new_carry_;                                   // of the start, and of the end
   State end_{.t = std::numeric_limits<double>::quiet_NaN()};  // of the step accepted last
   State new_end_;                                             // of the step made last
-  double old_dt_ = 0.0, newton_change_ = 0.0, rate_ = 0.0;
+  double old_dt_ = 0.0, rate_ = 0.0;
+  Problem::Identity of_{};  // whose history this is
   double refused_at_ = std::numeric_limits<double>::quiet_NaN();
   bool accepted_ = false, has_old_ = false, bootstraps_ = false, retried_ = false, needs_speed_ = false;
 };
@@ -186,14 +201,14 @@ class AnyCollocation {
 /// The error of the step is estimated without a further right-hand side. The leading coefficient of the polynomial
 /// through the rates, over their size, \f$ \eta \approx (h/\rho)^{s-1} \f$, tells how far a solution of radius of
 /// convergence \f$ \rho \f$ is resolved, and the step of order p leaves \f$ h |k|\,(h/\rho)^p = h|k|\,\eta^{p/(s-1)}
-/// \f$ (for s = 1 the change from the last step's rates is taken). It is blind in a step in which that coefficient
-/// passes zero, as it may at a turning point: there the largest step that a control allows must do. Radau on values,
-/// made for stiff problems, where that power is not reached, estimates with order s by the defect of its polynomial at
-/// the start of the step, \f$ \gamma h\,(I - \gamma h J)^{-1}(f(t, y) - \sum_j l_j(0) k_j) \f$: @cite hairer1996,
-/// section IV.8.
+/// \f$ (for s = 1 the change from the last step's rates is taken, at first from those at the start). It is blind in a
+/// step in which that coefficient passes zero, as it may at a turning point: there the largest step that a control
+/// allows must do. Radau on values, made for stiff problems, where that power is not reached, estimates with order s by
+/// the defect of its polynomial at the start of the step, \f$ \gamma h\,(I - \gamma h J)^{-1}(f(t, y) - \sum_j l_j(0)
+/// k_j) \f$: @cite hairer1996, section IV.8.
 ///
 /// A scheme is a value: its copy is a checkpoint. What it remembers holds only where the next step starts exactly at
-/// the end of the last; elsewhere, and after forget(), it begins anew.
+/// the end of the last, with the same problem; elsewhere, and after forget(), it begins anew.
 ///
 /// @tparam Nodes   Gauss or Radau
 /// @tparam Solver  Sequential, Picard (all stages at once), Anderson, Newton<DenseStages> or Newton<SparseStages>

@@ -33,21 +33,24 @@ struct Along {
 /// What counts as zero, and as having left it. All lengths in the unit of the function.
 struct ZeroRules {
   Direction direction = Direction::either;  ///< which passages count
-  double reach = 0.0;                       ///< a function that comes so near to zero has reached it, >= 0
-  double leave = 0.0;                       ///< one that was zero has left it beyond this, >= reach
+  double reach = 0.0;                       ///< a function whose last sample is so near to zero has reached it, >= 0
+  double leave = 0.0;                       ///< one that was zero has left it beyond this, >= 0
   double graze = 0.0;                       ///< an extreme value so near to zero touches it, >= 0
   bool touches = false;                     ///< whether a touch counts, in the direction in which the function came
   double doubt = 0.0;  ///< how far dense output may be off in the middle of the step, >= 0: an extreme value that stops
                        ///< short of zero by no more than 4 theta |1 - theta| of it, beyond theta = 1e-4, is given as a
-                       ///< touch
-  double floor = -std::numeric_limits<double>::infinity();  ///< one that has not left zero passes it by falling below
-                                                            ///< this, < 0; minus infinity: it does not
+                       ///< touch; not where it is within 1e-6 of the end
+  double floor = -std::numeric_limits<double>::infinity();  ///< one that has not left zero passes it by going beyond
+                                                            ///< this, down where it is negative (or -0), up where it is
+                                                            ///< positive, and leaves zero to the other side alone;
+                                                            ///< infinite: it passes nothing, and leaves to either
 };
 
 /// Where a function passes zero.
 struct Crossing {
   double theta = 0.0;                  ///< the place; never 0 [-]
   Direction way = Direction::falling;  ///< falling, rising, or either: it touches zero and turns back
+  int from = 0;                        ///< the side on which it was before, +1 or -1
 };
 
 /// Places of a step that lie densest at its ends.
@@ -62,7 +65,8 @@ struct Crossing {
 /// @return n + 1 places, the first 0 and the last `end`, both exactly
 std::vector<double> chebyshev_points(int intervals, double end);
 
-/// A root between two places where a function has different signs, to two roundings of 1.
+/// A root between two places where a function has different signs, to two roundings of 1. Where the function is zero
+/// over a stretch it is the near end of that, where it jumps across zero the place of the jump.
 ///
 /// The method ITP: regula falsi, drawn towards the middle of the bracket by so much that it never takes more than one
 /// evaluation above what bisection takes. Source: @cite oliveira2021.
@@ -73,7 +77,7 @@ std::vector<double> chebyshev_points(int intervals, double end);
 /// @param b  the other
 /// @param fb f(b), of the other sign or zero
 /// @return the far end b of the last bracket, at most \f$ 2^{-52} \f$ wide: beyond the root by no more than that, and
-///         never a; or a place where f is zero exactly
+///         never a
 double bracketed_root(const std::function<double(double)>& f, double a, double fa, double b, double fb);
 
 /// The first passage of a function through zero.
@@ -86,8 +90,8 @@ double bracketed_root(const std::function<double(double)>& f, double a, double f
 /// A function that turns back so close to zero that dense output cannot tell whether it reaches it is given there, as
 /// touching; once the step has been solved anew to end there its value is the scheme's own, and clear.
 ///
-/// A function counts only once it has left zero: one that starts there passes nothing by leaving. Which side it was on
-/// last is the caller's to keep.
+/// A function counts only once it has left zero: one that starts there passes nothing by leaving. Which side it starts
+/// on is the caller's to say.
 ///
 /// @param samples  at least two, by theta, of finite numbers
 /// @param f        the same function between them

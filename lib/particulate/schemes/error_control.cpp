@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <utility>
 
 #include <fmt/format.h>
@@ -11,6 +12,15 @@
 #include <particulate/schemes/step_settings.hpp>
 
 namespace particulate::schemes {
+
+namespace {
+
+std::string too_large(double dt, double error, double TOL) {
+  if (std::isnan(error)) return fmt::format("of the step of {:.6g} s the scheme estimates no error", dt);
+  return fmt::format("the step of {:.6g} s leaves an error estimated at {:.3g}, above TOL = {:.3g}", dt, error, TOL);
+}
+
+}  // namespace
 
 bool ErrorControl::goes_on(const Iteration& it) const {
   const bool hopeless = it.K >= 2 && it.rate >= 1.0;
@@ -34,7 +44,7 @@ double ErrorControl::wish(const Attempt& made) const {
 
 Decision ErrorControl::judge(const Attempt& made) {
   const bool swept = made.iteration.evaluated && settled(made.iteration);
-  if (!swept || made.truncation.error > TOL) return refuse(made);
+  if (!swept || !(made.truncation.error <= TOL)) return refuse(made);
   const double bounded = std::min(wish(made), refused ? 1.0 : growth);
   const double factor = bounded >= 1.0 && bounded < worth ? 1.0 : std::max(bounded, shrink);
   last_error = made.truncation.error;
@@ -49,13 +59,10 @@ Decision ErrorControl::refuse(const Attempt& made) {
   const double by_errors = wish(made);
   const double factor = made.iteration.evaluated && std::isfinite(by_errors) ? by_errors : 0.5 * (shrink + retry);
   const double next = std::clamp(factor, shrink, retry) * made.dt;
-  Decision decision =
-      swept ? Decision{.impossible =
-                           fmt::format("the step of {:.6g} s leaves an error estimated at {:.3g}, above TOL = {:.3g}",
-                                       made.dt, made.truncation.error, TOL),
-                       .failure = Failure::inaccurate,
-                       .workable = next}
-            : unmet(made, sweep_TOL, allowed);
+  Decision decision = swept ? Decision{.impossible = too_large(made.dt, made.truncation.error, TOL),
+                                       .failure = Failure::inaccurate,
+                                       .workable = next}
+                            : unmet(made, sweep_TOL, allowed);
   refused = true;
   decision = detail::retried(std::move(decision), next, smallest);
   if (decision.impossible.empty()) step = next;

@@ -18,10 +18,13 @@ namespace particulate::schemes {
 /// \f$ \theta/(1 - \theta) \f$, where \f$ \theta \f$ is the contraction seen, after the first sweep that of the last
 /// step: one sweep less than the monograph's \f$ w_K \le TOL \f$ makes for the same error.
 ///
-/// For a scheme without sweeps the estimate alone decides, without an estimate the sweeps and `limit`.
+/// For a scheme without sweeps the estimate alone decides. A scheme without an estimate does not compile, and a step of
+/// which there is none is refused.
 ///
 /// Satisfies Controller. It is a value: a copy of it is a checkpoint.
 struct ErrorControl {
+  static constexpr bool needs_truncation = true;  ///< without an estimate it would bound nothing
+
   double TOL = 1e-6;        ///< on the scheme's estimate, at least 2.3e-16 [-]
   double sweep_TOL = 1e-6;  ///< on what the sweeps leave, in the measure of w_K, at least 2.3e-16 [-]
   int K_d = 2;              ///< desired contractions, >= 1 [-]

@@ -12,4 +12,12 @@ bool ForwardEuler::predict(const Problem& problem, const State& from, double dt,
   return true;
 }
 
+void ForwardEuler::at(const State& from, double dt, double theta, State& there) const {
+  advance_time(from, theta * dt, there);
+  there.r = from.r + (theta * dt) * from.v;
+  there.v = from.v + (theta * dt) * rates_.a;
+  there.y = from.y;
+  if (rates_.dy.size() > 0) there.y += (theta * dt) * rates_.dy;
+}
+
 }  // namespace particulate::schemes

@@ -26,6 +26,13 @@ struct ForwardEuler {
   /// @param to       receives the state at its end
   /// @return whether the problem had a value at the start
   bool predict(const Problem& problem, const State& from, double dt, State& to);
+  /// Dense output: the straight line, which is what a step of theta Dt would give.
+  ///
+  /// @param from   state at the start of the step made last
+  /// @param dt     that step [s]
+  /// @param theta  in units of the step; 0 its start, 1 its end [-]
+  /// @param there  receives the state
+  void at(const State& from, double dt, double theta, State& there) const;
   void accept(double) {}  ///< Keeps nothing: a one-step method.
   void forget() {}        ///< Has nothing to forget.
 

@@ -12,55 +12,50 @@ namespace particulate::schemes {
 
 namespace {
 
-// Over the largest value so far. Rounding of what a function is made of is some of these.
-constexpr double zero_tolerance = 1e-14;
-// A function that an event has left at some value has left zero beyond so many times that.
-constexpr double leave_factor = 10.0;
 // Of the difference that gives a slope: its errors, of truncation and of rounding, are then both some 1e-11.
 constexpr double difference_width = 1e-5;
 // Over the largest value in the step: dense output that resolves a motion at all is nearer to it than this.
 constexpr double doubt = 1e-4;
-// Events so many roundings of the time apart happen together.
-constexpr double tie_roundings = 100.0;
+// What is so near to the start of a step, in parts of it, is there.
+constexpr double at_start = 1e-14;
+// So many roundings of the state are no change of it.
+constexpr double roundings = 16.0 * std::numeric_limits<double>::epsilon();
 
-void require_one_each(std::size_t given, std::size_t n, const char* what) {
-  if (given != 0 && given != n) {
-    throw std::invalid_argument(
-        fmt::format("events: {} must be given for each of {} functions or for none, got {}", what, n, given));
-  }
+int sign(double x) { return x > 0.0 ? 1 : x < 0.0 ? -1 : 0; }
+
+bool same(const State& a, const State& b) {
+  const auto equal = [](const Eigen::VectorXd& x, const Eigen::VectorXd& y) { return x.size() == y.size() && x == y; };
+  return equal(a.r, b.r) && equal(a.v, b.v) && equal(a.y, b.y);
 }
 
-// Places within the step for a difference about theta.
-double inside(double theta, double end) {
-  return std::clamp(theta, 0.5 * difference_width, end - 0.5 * difference_width);
+std::string name_of(const Events& events, std::size_t k) {
+  return events[k].name.empty() ? fmt::format("event {}", k) : events[k].name;
+}
+
+// Where a path goes from a place, along the velocity there: the slope of dense positions is not as good as that, even
+// at the end of a step.
+void move_along(const StepPath& path, double theta, const State& there, double by, State& beside) {
+  path(theta + by, beside);
+  if (there.r.size() > 0) beside.r = there.r + (by * path.dt) * there.v;
 }
 
 }  // namespace
 
 void validate(const Events& events) {
-  const std::size_t n = events.directions.size();
-  if ((n > 0) != static_cast<bool>(events.functions)) {
-    throw std::invalid_argument(
-        fmt::format("events: functions and a direction for each of them must be given together, got {} and {} "
-                    "directions; leave both out for no events",
-                    events.functions ? "functions" : "no functions", n));
-  }
-  for (std::size_t k = 0; k < n; ++k) {
-    const auto number = static_cast<int>(events.directions[k]);
+  for (std::size_t k = 0; k < events.size(); ++k) {
+    if (!events[k].function) throw std::invalid_argument(fmt::format("events: {} needs a function", name_of(events, k)));
+    const auto number = static_cast<int>(events[k].direction);
     if (number < -1 || number > 1) {
-      throw std::invalid_argument(
-          fmt::format("events: direction {} must be falling, either or rising, got number {}", k, number));
+      throw std::invalid_argument(fmt::format(
+          "events: the direction of {} must be falling, either or rising, got number {}", name_of(events, k), number));
     }
   }
-  require_one_each(events.names.size(), n, "a name");
-  require_one_each(events.actions.size(), n, "an action");
 }
 
 std::string describe(const Events& events, const Hit& hit) {
-  const std::string name = events.names.empty() ? fmt::format("event {}", hit.event) : events.names[hit.event];
-  return name + (hit.crossing == Direction::falling  ? " falling"
-                 : hit.crossing == Direction::rising ? " rising"
-                                                     : " touching zero");
+  return name_of(events, hit.event) + (hit.crossing == Direction::falling  ? " falling"
+                                       : hit.crossing == Direction::rising ? " rising"
+                                                                           : " touching zero");
 }
 
 void validate(const WatchSettings& settings) {
@@ -75,106 +70,159 @@ void validate(const WatchSettings& settings) {
 Watch::Watch(Events events, const WatchSettings& settings) : events_(std::move(events)), settings_(settings) {
   validate(events_);
   validate(settings_);
-  const std::size_t n = events_.directions.size();
-  side_.assign(n, 0);
-  scale_.assign(n, 0.0);
-  left_.assign(n, 0.0);
-  residue_.assign(n, 0.0);
-  found_.resize(n);
+  left_.resize(events_.size());
+  begun_.resize(events_.size());
+  found_.resize(events_.size());
 }
 
-std::optional<double> Watch::first(const StepPath& path, State& there, double end) {
-  const Evaluate evaluate_at = [&](double theta, double moved, Eigen::VectorXd& g) {
-    path(theta + moved, there);
-    // Along the velocity: the slope of dense positions is not as good as that, even at the end of a step.
-    if (moved != 0.0 && there.r.size() > 0) {
-      path(theta, beside_);
-      there.r = beside_.r + moved * path.dt * beside_.v;
-    }
-    events_.functions(there, g);
-    return there.t;
-  };
-  return first_of(evaluate_at, path.intervals, end);
+double Watch::value(std::size_t k, const State& at) const {
+  const double g = events_[k].function(at);
+  if (std::isfinite(g)) return g;
+  throw std::invalid_argument(
+      fmt::format("events: the function of {} must be finite, got {} at t = {} s", name_of(events_, k), g, at.t));
 }
 
-std::vector<std::vector<Sample>> Watch::samples_of(const Evaluate& at, int intervals, double end) const {
-  const std::size_t n = side_.size();
-  Eigen::VectorXd g(static_cast<Eigen::Index>(n)), before = g, after = g;
-  std::vector<std::vector<Sample>> samples(n);
-  for (const double theta : chebyshev_points(intervals, end)) {
-    const double t = at(theta, 0.0, g);
-    const double middle = inside(theta, end);
-    at(middle, -0.5 * difference_width, before);
-    at(middle, 0.5 * difference_width, after);
-    for (std::size_t k = 0; k < n; ++k) {
-      const auto row = static_cast<Eigen::Index>(k);
-      if (!std::isfinite(g[row])) {
-        throw std::invalid_argument(
-            fmt::format("events: function {} must be finite, got {} at t = {} s", k, g[row], t));
-      }
-      samples[k].push_back({.theta = theta, .value = g[row], .slope = (after[row] - before[row]) / difference_width});
+double Watch::slope(std::size_t k, const StepPath& path, double theta, double end) {
+  const double middle = std::clamp(theta, 0.5 * difference_width, end - 0.5 * difference_width);
+  path(middle, there_);
+  move_along(path, middle, there_, -0.5 * difference_width, beside_);
+  const double before = value(k, beside_);
+  move_along(path, middle, there_, 0.5 * difference_width, beside_);
+  return (value(k, beside_) - before) / difference_width;
+}
+
+void Watch::start(const StepPath& path) {
+  path(0.0, there_);
+  const bool changed = !same(there_, last_);
+  for (std::size_t k = 0; k < events_.size(); ++k) begun_[k] = {.value = value(k, there_)};
+  beside_.t = there_.t * (1.0 + roundings);
+  beside_.r = there_.r * (1.0 + roundings);
+  beside_.v = there_.v * (1.0 + roundings);
+  beside_.y = there_.y * (1.0 + roundings);
+  for (std::size_t k = 0; k < events_.size(); ++k) begun_[k].rounding = std::abs(value(k, beside_) - begun_[k].value);
+  move_along(path, 0.0, there_, difference_width, beside_);
+  for (std::size_t k = 0; k < events_.size(); ++k) begun_[k] = begin(k, changed, value(k, beside_) - begun_[k].value);
+}
+
+// Tells whether a function is at zero, and whether it leaves that or goes back to where it came from.
+Watch::Beginning Watch::begin(std::size_t k, bool changed, double moves) const {
+  Beginning begun = begun_[k];
+  const Left& left = left_[k];
+  const double size = std::abs(begun.value), band = std::max(begun.rounding, at_start / difference_width * std::abs(moves));
+  begun.from = std::abs(moves) > begun.rounding ? sign(moves) : 0;
+  bool at_zero = size == 0.0;
+  if (left.side == 0) {
+    at_zero = at_zero || (fresh_ && size <= band);
+  } else if (left.touched) {
+    at_zero = at_zero || size <= std::abs(left.value);
+    begun.from = left.side;
+  } else if (changed) {
+    at_zero = at_zero || size <= std::max(std::abs(left.value), band);
+    begun.stands = begun.from == 0;
+    if (begun.stands) begun.from = left.side;
+  } else {
+    // Short of zero, by rounding, where a run has ended.
+    at_zero = at_zero || (left.side * begun.value > 0.0 && size <= std::abs(left.value));
+    begun.from = 0;
+  }
+  begun.side = at_zero ? 0 : sign(begun.value);
+  return begun;
+}
+
+std::vector<std::vector<Sample>> Watch::samples_of(const StepPath& path, double end) {
+  std::vector<std::vector<Sample>> samples(events_.size());
+  std::vector<double> places = chebyshev_points(path.intervals, 1.0);
+  if (end > 1.0) places.push_back(end);
+  for (const double theta : places) {
+    const double by = theta < 0.5 ? difference_width : -difference_width;
+    path(theta, there_);
+    move_along(path, theta, there_, by, beside_);
+    for (std::size_t k = 0; k < events_.size(); ++k) {
+      const double g = value(k, there_);
+      samples[k].push_back({.theta = theta, .value = g, .slope = (value(k, beside_) - g) / by});
     }
   }
   return samples;
 }
 
-// Brings the side on which a function stands up to date: a jump may have taken it across, an event has left it at zero.
-ZeroRules Watch::rules_of(std::size_t k, const std::vector<Sample>& samples) {
+ZeroRules Watch::rules_of(std::size_t k, const std::vector<Sample>& samples, bool last) const {
+  const Beginning& begun = begun_[k];
   double largest = 0.0;
   for (const Sample& sample : samples) largest = std::max(largest, std::abs(sample.value));
-  scale_[k] = std::max(scale_[k], largest);
-  const ZeroRules rules{.direction = events_.directions[k],
-                        .reach = zero_tolerance * scale_[k],
-                        .leave = leave_factor * std::max(zero_tolerance * scale_[k], left_[k]),
-                        .graze = settings_.graze * scale_[k],
-                        .touches = true,
-                        .doubt = doubt * largest};
-  const double start = samples.front().value;
-  if (std::abs(start) > rules.leave) side_[k] = start > 0.0 ? 1 : -1;
-  if (!(side_[k] * start > rules.reach)) side_[k] = 0;
+  ZeroRules rules{.direction = events_[k].direction,
+                  .reach = last ? std::max(begun.rounding, at_start * std::abs(samples.back().slope)) : 0.0,
+                  .graze = std::max(settings_.graze * largest, begun.rounding),
+                  .touches = true,
+                  .doubt = doubt * largest};
+  if (begun.from == 0) {
+    rules.leave = std::abs(begun.value);
+  } else {
+    rules.floor = -begun.from * std::max(std::abs(begun.value), left_[k].touched ? rules.graze : 0.0);
+  }
   return rules;
 }
 
-std::optional<double> Watch::first_of(const Evaluate& at, int intervals, double end) {
-  if (side_.empty()) return {};
-  const std::vector<std::vector<Sample>> samples = samples_of(at, intervals, end);
-  Eigen::VectorXd g(static_cast<Eigen::Index>(side_.size())), h = g;
-  std::optional<double> earliest;
-  for (std::size_t k = 0; k < side_.size(); ++k) {
-    const auto row = static_cast<Eigen::Index>(k);
-    const Along one{.value =
-                        [&](double theta) {
-                          at(theta, 0.0, g);
-                          return g[row];
-                        },
-                    .slope =
-                        [&](double theta) {
-                          const double middle = inside(theta, end);
-                          at(middle, -0.5 * difference_width, g);
-                          at(middle, 0.5 * difference_width, h);
-                          return (h[row] - g[row]) / difference_width;
-                        }};
-    const ZeroRules rules = rules_of(k, samples[k]);
-    int side = side_[k];
-    found_[k] = first_crossing(samples[k], one, rules, side);
-    if (!found_[k]) continue;
-    residue_[k] = std::abs(one.value(1.0));
-    if (!earliest || found_[k]->theta < *earliest) earliest = found_[k]->theta;
+std::optional<Stop> Watch::first(const StepPath& path, double end, bool last) {
+  std::optional<Stop> earliest;
+  if (events_.empty()) return earliest;
+  const std::vector<std::vector<Sample>> samples = samples_of(path, end);
+  for (std::size_t k = 0; k < events_.size(); ++k) {
+    const Along along{.value =
+                          [&](double theta) {
+                            path(theta, there_);
+                            return value(k, there_);
+                          },
+                      .slope = [&](double theta) { return slope(k, path, theta, end); }};
+    int side = begun_[k].side;
+    found_[k] = first_crossing(samples[k], along, rules_of(k, samples[k], last), side);
+    const std::optional<Crossing>& found = found_[k];
+    if (!found || (earliest && earliest->theta <= found->theta)) continue;
+    const double at_end = found->from * samples[k][static_cast<std::size_t>(path.intervals)].value;
+    const bool touches = found->way == Direction::either;
+    earliest = {
+        .theta = found->theta, .reached = touches || found->theta == 1.0 || at_end <= 0.0, .sharp = !touches};
   }
   return earliest;
 }
 
-bool Watch::happen(double theta, double t, double dt) {
-  const double tie = tie_roundings * std::numeric_limits<double>::epsilon() * std::max(1.0, std::abs(t) / dt);
-  bool stops = false;
-  for (std::size_t k = 0; k < side_.size(); ++k) {
-    if (!(found_[k] && found_[k]->theta <= theta + tie)) continue;
-    hits_.push_back({.event = k, .crossing = found_[k]->way, .t = t});
-    side_[k] = 0;
-    left_[k] = residue_[k];
-    stops = stops || events_.actions.empty() || events_.actions[k] == Action::stop;
+std::size_t Watch::happen(const State& to, const std::optional<Stop>& stop) {
+  fresh_ = false;
+  const std::size_t before = hits_.size();
+  for (std::size_t k = 0; k < events_.size(); ++k) {
+    left_[k] = {};
+    const bool touched = found_[k] && found_[k]->way == Direction::either;
+    if (!stop || !found_[k] || found_[k]->theta > (touched ? std::max(1.0, stop->theta) : 1.0)) continue;
+    if (hits_.size() == before) last_ = to, stands_ = false;
+    stands_ = stands_ || begun_[k].stands;
+    hits_.push_back({.event = k, .crossing = found_[k]->way, .t = to.t});
+    left_[k] = {.side = found_[k]->from, .value = value(k, to), .touched = touched};
   }
-  return stops;
+  if (hits_.size() == before) stands_ = false;
+  return hits_.size() - before;
+}
+
+std::vector<Jump> Watch::change(std::size_t many, State& at) const {
+  std::vector<Jump> jumps;
+  for (std::size_t h = hits_.size() - many; h < hits_.size(); ++h) {
+    const std::size_t k = hits_[h].event;
+    if (!events_[k].change) continue;
+    const State before{.t = at.t, .r = at.r, .v = at.v, .y = at.y, .t_carry = at.t_carry};
+    jumps.push_back(events_[k].change(at));
+    if (at.t != before.t || at.t_carry != before.t_carry || at.r.size() != before.r.size() ||
+        at.v.size() != before.v.size() || at.y.size() != before.y.size() || !is_finite(at)) {
+      throw std::invalid_argument(fmt::format(
+          "events: the change of {} must leave the time and the number of places, velocities and values, all finite, "
+          "but left {}, {} and {} of them, {}, at t = {} s, before {}, {} and {} at t = {} s",
+          name_of(events_, k), at.r.size(), at.v.size(), at.y.size(), is_finite(at) ? "all finite" : "not all finite",
+          at.t, before.r.size(), before.v.size(), before.y.size(), before.t));
+    }
+  }
+  return jumps;
+}
+
+bool Watch::stops(std::size_t many) const {
+  return std::any_of(hits_.end() - static_cast<std::ptrdiff_t>(many), hits_.end(),
+                     [&](const Hit& hit) { return events_[hit.event].action == Action::stop; });
 }
 
 std::string Watch::last() const {

@@ -10,38 +10,51 @@
 #include <particulate/schemes/problem.hpp>
 
 /// @file
-/// Events: zeros of functions of the solution, where a run stops or is told of them.
+/// Events: zeros of functions of the solution, where a run stops, is told of them, or changes its state.
 
 namespace particulate::schemes {
 
-/// What a run does at an event.
+/// Whether a run goes on after an event.
 enum class Action {
-  stop,   ///< ends there, with Status::stopped
-  record  ///< ends a step there, remembers the event and goes on
+  stop,   ///< it ends there, with Status::stopped
+  record  ///< it ends a step there, remembers the event and goes on
 };
 
-/// Functions \f$ g_k(t, r, v, y) \f$ whose zeros are events.
+/// A zero of a function \f$ g(t, r, v, y) \f$ of the state, and what is done there.
 ///
-/// All are evaluated together: `functions(state, g)` writes as many numbers as there are directions. The same object
-/// can be given to a Watch, and to CVODE as the judge of it, which stops at every event. What the functions throw comes
-/// out of the run as it was thrown.
-struct Events {
-  std::function<void(const State& at, Out g)> functions = {};  ///< writes every g_k; all continuous and finite
-  std::vector<Direction> directions = {};                      ///< one a function; none: no events
-  std::vector<std::string> names = {};                         ///< one a function; none: they are numbered
-  std::vector<Action> actions = {};                            ///< one a function; none: every event stops
+/// The same events can be given to a Watch, and to CVODE as the judge of it, which stops at every one and leaves what
+/// is to be done to its caller. Each function is asked by itself: what several of them need is theirs to keep. What a
+/// function or a change throws comes out of the run as it was thrown.
+///
+/// A ball on the ground z = 0:
+/// @code
+/// {.function = [](const State& at) { return at.r[2]; },
+///  .direction = Direction::falling,
+///  .action = Action::record,
+///  .change = [e](State& at) { return at.v[2] *= -e, Jump{.impacts = 1}; }}
+/// @endcode
+struct Event {
+  std::function<double(const State& at)> function = {};  ///< g: finite, and continuous but for jumps of its own
+  Direction direction = Direction::either;               ///< which passages count
+  Action action = Action::stop;                          ///< whether the run goes on
+  std::function<Jump(State& at)> change = {};  ///< what becomes of r, v and y, before the run stops or goes on; what it
+                                               ///< returns is added to the Outcome; empty: nothing
+  std::string name = {};                       ///< for reports; empty: the event is numbered
 };
+
+/// What to look for; none: no events.
+using Events = std::vector<Event>;
 
 /// An event that happened.
 struct Hit {
-  std::size_t event = 0;                    ///< which function, counted from 0
+  std::size_t event = 0;                    ///< which one, counted from 0
   Direction crossing = Direction::falling;  ///< which way it passed zero; either: it touched zero and turned back
   double t = 0.0;                           ///< when [s]
 };
 
 /// Refuses events that cannot be meant. Called once, where they enter.
 ///
-/// @param events  functions and directions; neither means no events
+/// @param events  each with a function
 /// @throws std::invalid_argument naming what must hold and what was given
 void validate(const Events& events);
 
@@ -52,10 +65,10 @@ std::string describe(const Events& events, const Hit& hit);
 
 /// Settings of a Watch.
 struct WatchSettings {
-  double graze = 1e-12;     ///< an extreme value of a function, over its largest value so far, that touches zero; in
-                            ///< [0, 1e-3] [-]
-  long most_at_once = 100;  ///< so many events and jumps in a row may follow one another within the rounding of the
-                            ///< time; with more the run fails, as they accumulate; >= 1 [-]
+  double graze = 1e-12;     ///< an extreme value of a function, over its largest value in the step, that touches zero;
+                            ///< in [0, 1e-3] [-]
+  long most_at_once = 100;  ///< so many events and jumps in a row may follow one another without passing time that can
+                            ///< be told; with more the run fails, as they accumulate; >= 1 [-]
 };
 
 /// Refuses settings that cannot be meant.
@@ -64,29 +77,41 @@ struct WatchSettings {
 /// @throws std::invalid_argument naming the setting, what must hold and what was given
 void validate(const WatchSettings& settings);
 
+/// Where a run must end a step.
+struct Stop {
+  double theta;  ///< the place, in (0, end] [-]
+  bool reached;  ///< false: a function changes its sign there, and at the end of the step it has not, or no longer
+  bool sharp;    ///< false: a function touches zero, which is only as sharp in time as the root of its value
+};
+
 /// Finds events in the steps of a run, by the dense output of its scheme, and remembers them.
 ///
 /// A function is sampled at Chebyshev points of the step, as many as the order of the scheme, with its slope by
 /// difference; first_crossing() tells what is found. The run shortens the step to the earliest event, solves it anew,
-/// and locates the event again until it stands, so that its time has the order of the scheme and not the lower one of
-/// dense output.
+/// and locates the event again until the step ends there, so that its time has the order of the scheme and not the
+/// lower one of dense output.
 ///
-/// - **Direction.** Falling and rising are told apart; a passage the other way is nothing.
-/// - **Several in a step.** The earliest ends the step, the others are located anew in the next one. Events within a
-///   hundred roundings of the time happen together, in the order of their functions.
-/// - **At the very start.** A function that is zero where a run starts, or where its last event was, counts only
-///   once it has left zero: it passes nothing by leaving. Zero is what lies within 1e-14 of the largest value that the
-///   function has had, or within ten times what an event has left of it.
+/// - **Passing.** A function that has one sign at the start of a step and the other, or zero, later on in it has an
+///   event, however small it is and whatever its unit; one that jumps across zero has it where it jumps; one that stays
+///   at zero, where it gets there. The step ends beyond the zero, within 1e-14 of the whole step.
+/// - **Direction.** A passage the other way is nothing.
+/// - **Several in a step.** The earliest ends the step, the others are located anew in the next one. Those that cannot
+///   be told apart happen together, in the order of their events.
+/// - **At the start.** A function that is zero at the start of a step passes nothing by leaving, but does by coming
+///   back. At the start of a run, and where an event has changed the state, it is zero within what sixteen roundings of
+///   the state, or 1e-14 of the step, make of it.
+/// - **After a change** of the state at an event, by Event::change or by the caller, a function goes back to where it
+///   came from, unless its slope shows that it goes on: a ball that is sent back, however slowly, meets the ground
+///   again. Events that come back before they have left zero by more than rounding end the run, as they accumulate.
 /// - **At the end.** An event at the end of a run, to rounding, has happened.
-/// - **Grazing.** A function that comes to zero within WatchSettings::graze of its largest value so far, and turns
-///   back, has one event at the turning point, of the direction in which it came; its crossing is Direction::either.
-///   One that goes further has two events, however close to each other; one that does not come so near has none. To
-///   tell, the step is solved anew to end at the turning point where dense output brings it within 1e-4 of the largest
-///   value in the step; if nothing has happened there, the shorter step stands.
+/// - **Grazing.** A function that comes to zero within WatchSettings::graze of its largest value in the step, or within
+///   sixteen roundings of the state, and turns back has one event at the turning point, of the direction in which it
+///   came; its crossing is Direction::either. One that goes further has two events; one that does not come so near has
+///   none. To tell, the step is solved anew to end at the turning point where dense output brings it within 1e-4 of the
+///   largest value in the step; if nothing has happened there, the shorter step stands.
 /// - **Jumps.** A function that a jump of the state takes across zero passes nothing.
-/// - **Missed.** Two passages of a function that turns more than once between two samples; what happens in the
-///   first 1e-5 of a step; two passages so close to each other that dense output, of order s, does not show the turn
-///   between them.
+/// - **Missed.** Two passages of a function that turns more than once between two samples; two passages so close to
+///   each other that dense output does not show the turn between them.
 ///
 /// A watch is a value: a copy of it is a checkpoint. It can be handed to one run after another.
 class Watch {
@@ -103,42 +128,74 @@ class Watch {
   /// @return see WatchSettings
   const WatchSettings& settings() const { return settings_; }
 
-  /// The first event of a step. Asked again, with the same start, it answers for the step as it is now.
+  /// Looks at the start of a step, before first().
   ///
-  /// @param path   the step
-  /// @param there  scratch
-  /// @param end    how far to look, a little beyond 1 at most [-]
-  /// @return its place, in (0, end]; none if there is none
+  /// @param path  the whole step
+  /// @throws std::invalid_argument if an event function is not finite there
+  void start(const StepPath& path);
+
+  /// The first event of a step, whole or shortened.
+  ///
+  /// @param path  the step
+  /// @param end   how far to look: 1, or a little beyond [-]
+  /// @param last  whether the run ends with the step: what it has reached to rounding has then happened
+  /// @return where it is; none if there is none
   /// @throws std::invalid_argument if an event function is not finite within the step
-  std::optional<double> first(const StepPath& path, State& there, double end);
+  std::optional<Stop> first(const StepPath& path, double end, bool last);
 
-  /// Books the events at the end of a step, as first() found them last.
+  /// Books the events of a step that stands, as first() saw it last.
   ///
-  /// @param theta  the place that first() gave, or that of a jump [-]
-  /// @param t      the time there [s]
-  /// @param dt     the step [s]
-  /// @return whether one of them stops the run
-  bool happen(double theta, double t, double dt);
+  /// @param to    its end
+  /// @param stop  where it was to end; none: it has no event
+  /// @return how many happened
+  std::size_t happen(const State& to, const std::optional<Stop>& stop);
 
+  /// Lets the events that happened last change the state.
+  ///
+  /// @param many  how many
+  /// @param at    the state there, changed in place
+  /// @return what each change did
+  /// @throws std::invalid_argument if one leaves numbers that are not finite, another number of them, or another time
+  std::vector<Jump> change(std::size_t many, State& at) const;
+
+  /// @param many  how many events happened last @return whether one of them stops the run
+  bool stops(std::size_t many) const;
+  /// @return whether the last event had come back to zero before it left it by more than rounding
+  bool stands() const { return stands_; }
   /// @return the events that happened last at one time, in words; empty if there was none
   std::string last() const;
 
  private:
-  // Writes every g_k at a place, or a little beside it along the motion there, and returns its time.
-  using Evaluate = std::function<double(double theta, double moved, Eigen::VectorXd& g)>;
+  // How a function starts a step.
+  struct Beginning {
+    int side = 0;           // of zero, +1 or -1; 0: at zero
+    int from = 0;           // at zero: the side to which it goes or goes back, 0: not known
+    double value = 0.0;     // there
+    double rounding = 0.0;  // what rounding of the state makes of it
+    bool stands = false;    // an event has changed the state, and the slope does not tell whether it goes back
+  };
+  // What the last step has left of a function.
+  struct Left {
+    int side = 0;  // it had an event, and came to it from here; 0: none
+    double value = 0.0;
+    bool touched = false;
+  };
 
-  std::optional<double> first_of(const Evaluate& at, int intervals, double end);
-  std::vector<std::vector<Sample>> samples_of(const Evaluate& at, int intervals, double end) const;
-  ZeroRules rules_of(std::size_t k, const std::vector<Sample>& samples);
+  double value(std::size_t k, const State& at) const;
+  double slope(std::size_t k, const StepPath& path, double theta, double end);
+  Beginning begin(std::size_t k, bool changed, double moves) const;
+  std::vector<std::vector<Sample>> samples_of(const StepPath& path, double end);
+  ZeroRules rules_of(std::size_t k, const std::vector<Sample>& samples, bool last) const;
 
   Events events_;
   WatchSettings settings_;
-  State beside_;                                // scratch
-  std::vector<int> side_;                       // of zero, +1 or -1; 0: at zero, not left yet
-  std::vector<double> scale_;                   // the largest |g_k| so far
-  std::vector<double> left_;                    // |g_k| where its last event was
-  std::vector<std::optional<Crossing>> found_;  // in the step as first() saw it last
-  std::vector<double> residue_;                 // |g_k| at the end of it
+  bool fresh_ = true;  // no step has been made yet
+  bool stands_ = false;
+  State there_, beside_;      // scratch
+  State last_;                // the state that the last event has met
+  std::vector<Left> left_;
+  std::vector<Beginning> begun_;                // of the step looked at
+  std::vector<std::optional<Crossing>> found_;  // in it
   std::vector<Hit> hits_;
 };
 

@@ -5,7 +5,7 @@
 
 namespace particulate::schemes {
 
-bool FixedStep::settled(const Iteration& it) const { return TOL ? it.w_K <= *TOL : at_rounding(it); }
+bool FixedStep::settled(const Iteration& it) const { return TOL ? met(it, *TOL) : at_rounding(it); }
 
 Decision FixedStep::judge(const Attempt& made) const {
   const Iteration& it = made.iteration;

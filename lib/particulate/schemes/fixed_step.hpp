@@ -21,6 +21,8 @@ struct FixedStep {
 
   /// @return the step to try next [s]
   double dt() const { return step; }
+  /// @return whether TOL was given: it then needs a scheme that sweeps
+  bool bounds_sweeps() const { return TOL.has_value(); }
   /// @param it  the iteration so far
   /// @return whether the sweeps have still to go on
   bool goes_on(const Iteration& it) const { return !settled(it) && it.K < contractions; }

@@ -10,6 +10,7 @@ namespace particulate::schemes {
 /// has no value, or whose sweeps drive the iterates apart, fails the run.
 struct FixedSweeps {
   static constexpr bool ignores_truncation = true;  ///< it is given no estimate
+  static constexpr bool needs_sweeps = true;        ///< a scheme without them makes none
   static constexpr bool fixes_sweeps = true;        ///< every step makes the same number of them
   static constexpr bool fixes_step = true;          ///< a step beyond a limit of the problem is refused
 

@@ -127,34 +127,35 @@ class Run {
     if (locates_ && !task_.scheme_can.at) {
       throw std::invalid_argument(
           "run: events and located jumps need a scheme with dense output, at(from, dt, theta, "
-          "there); this one has none: take Collocation");
+          "there); this one has none");
     }
   }
 
   Outcome go() {
     out_.overlap_at_start = problem_.overlap(state_);
     bool goes_on = true;
+    task_.scheme_can.begin(task_.scheme, problem_, state_);
     while (goes_on && state_.t < task_.t_end) goes_on = step();
     out_.t = state_.t;
     return out_;
   }
 
  private:
-  // A located step is solved anew so often at most; three times are enough unless its sweeps are loose.
-  static constexpr int max_location_iterations = 20;
-  // It stands where solving it anew moves its end by no more than this, of itself.
-  static constexpr double location_tolerance = 1e-14;
-  // It stands as well where its end moves no less than the last time, as rounding or the tolerance of the sweeps has
-  // it: by no more than this of itself, or of the whole step,
-  static constexpr double stagnation_tolerance = 1e-6, stagnation_of_step = 1e-10;
-  // or, where it has been solved so often, by this: a function that hardly changes in the step touches zero.
-  static constexpr int grazing_iterations = 6;
-  static constexpr double grazing_tolerance = 1e-3;
+  // A step is solved anew so often at most to end at a jump or an event; by halves alone 50 times would do.
+  static constexpr int max_location_iterations = 64;
+  // It ends there if it does so within this part of itself, or so many roundings of the whole,
+  static constexpr double location_tolerance = 1e-14, location_roundings = 4.0;
+  // or, where solving it anew brings it no nearer, as rounding or the tolerance of its sweeps keep it from, of itself.
+  static constexpr double stagnation_tolerance = 1e-6;
+  // or where a function touches zero.
+  static constexpr double touch_tolerance = 1e-9;
+  // Its length is looked for so often by secants, then by halves.
+  static constexpr int secants = 6;
   // How far beyond its end a step that was shortened is looked at again.
   static constexpr double search_limit = 1.1;
   // A scheme cannot extrapolate from so small a part of a step to the next whole one.
   static constexpr double extrapolation_limit = 0.5;
-  // Steps so many roundings of the time long do not pass time.
+  // So many roundings of a whole step do not pass time.
   static constexpr double time_resolution = 1000.0;
 
   void forget() { task_.scheme_can.forget(task_.scheme); }
@@ -176,9 +177,7 @@ class Run {
 
   // Tries one step; returns whether the run goes on.
   bool step() {
-    const double left = (task_.t_end - state_.t) - state_.t_carry;
-    dt_ = step_towards_end(task_.control_can.dt(task_.control), left,
-                           rounding_of_time(out_.steps, state_.t, task_.t_end));
+    choose();
     if (problem_.has_step_limits() && task_.scheme_can.spans && !within_limits()) return false;
     if (!(state_.t + dt_ > state_.t)) {
       return last_.refusal.empty() ? end(Status::failed, too_small(state_.t, dt_), Failure::time_stands_still)
@@ -186,7 +185,7 @@ class Run {
     }
     whole_ = dt_;
     Decision decision = attempt_with(task_.control_can.judge);
-    landed_at_ = {};
+    stop_ = {};
     if (locates_ && decision.accepted) decision = land();
     if (!decision.impossible.empty()) {
       out_.workable_step = decision.workable;
@@ -198,8 +197,18 @@ class Run {
       return true;
     }
     last_ = {};
-    if (dt_ == left) to_.t = task_.t_end, to_.t_carry = 0.0;
     return accept();
+  }
+
+  // The controller's step, or what is left to the end. Where these differ by rounding the step is the controller's, so
+  // that a run in two legs makes the steps of one: the time carries the difference.
+  void choose() {
+    const double wished = task_.control_can.dt(task_.control), left = (task_.t_end - state_.t) - state_.t_carry;
+    const double rounding = rounding_of_time(1, state_.t, task_.t_end);
+    dt_ = step_towards_end(wished, left, rounding);
+    const bool ends = dt_ == left;
+    if (ends && std::abs(left - wished) <= std::min(rounding, 1e-9 * wished)) dt_ = wished;
+    to_the_end_ = ends ? dt_ : std::numeric_limits<double>::quiet_NaN();
   }
 
   // Cuts the step to what the problem's time scales allow, or refuses it where it is fixed.
@@ -243,6 +252,8 @@ class Run {
         if (shows_contraction(it)) out_.contraction = std::max(out_.contraction, it.rate);
       }
     }
+    advance_time(state_, dt_, to_);
+    if (dt_ == to_the_end_) to_.t_carry += to_.t - task_.t_end, to_.t = task_.t_end;
     if (can.iterations) made.fields = can.iterations(task_.scheme);
     it.evaluated = it.evaluated && is_finite(to_);
     if (can.truncation && it.evaluated && !task_.control_can.ignores_truncation) {
@@ -255,24 +266,33 @@ class Run {
   bool accept() {
     task_.scheme_can.accept(task_.scheme, dt_);
     if (dt_ < extrapolation_limit * whole_) forget();
-    const bool stops = task_.watch && landed_at_ && task_.watch->happen(*landed_at_, to_.t, dt_);
+    const std::size_t events = task_.watch ? task_.watch->happen(to_, stop_) : 0;
     const bool go_on = task_.observe(task_.observer, state_, to_, dt_);
-    if (problem_.jumps() && !jump()) return false;
+    if (problem_.jumps() && !book(problem_.jump(to_, dt_))) return false;
+    if (events > 0 && !change(events)) return false;
     swap(state_, to_);
     ++out_.steps;
     if (locates_ && accumulates()) return false;
-    if (stops) return end(Status::stopped, task_.watch->last());
+    if (events > 0 && task_.watch->stops(events)) return end(Status::stopped, task_.watch->last());
     return go_on || end(Status::stopped, "the observer asked for it");
   }
 
-  bool jump() {
-    Jump jump = problem_.jump(to_, dt_);
+  bool change(std::size_t events) {
+    bool settled = true;
+    for (Jump& jump : task_.watch->change(events, to_)) {
+      forget();
+      settled = settled && book(std::move(jump));
+    }
+    return settled;
+  }
+
+  bool book(Jump jump) {
     out_.impacts += jump.impacts;
     out_.energy_change += jump.energy_change;
     out_.overlap = std::max(out_.overlap, jump.overlap);
     out_.travel = std::max(out_.travel, jump.travel);
     out_.evaluations += jump.evaluations;
-    out_.jumps_by_law.resize(jump.by_law.size());
+    if (out_.jumps_by_law.size() < jump.by_law.size()) out_.jumps_by_law.resize(jump.by_law.size());
     for (std::size_t k = 0; k < jump.by_law.size(); ++k) {
       out_.jumps_by_law[k].impacts += jump.by_law[k].impacts;
       out_.jumps_by_law[k].energy_change += jump.by_law[k].energy_change;
@@ -285,51 +305,68 @@ class Run {
   }
 
   bool accumulates() {
-    const double shortest = time_resolution * rounding_unit * std::max(std::abs(state_.t), task_.t_end);
-    at_once_ = landed_at_ && dt_ <= shortest ? at_once_ + 1 : 0;
+    const bool no_time = dt_ <= time_resolution * rounding_unit * whole_ || (task_.watch && task_.watch->stands());
+    at_once_ = stop_ && no_time ? at_once_ + 1 : 0;
     if (at_once_ <= (task_.watch ? task_.watch->settings() : WatchSettings{}).most_at_once) return false;
     out_.accumulation = state_.t;
     return !end(Status::failed, accumulating(state_.t, at_once_), Failure::accumulating);
   }
 
-  // The first fraction of the step made last at which the state jumps or an event happens.
-  std::optional<double> first_stop(double until) {
-    const int order = task_.scheme_can.order;
-    const StepPath path{task_.scheme, task_.scheme_can.at, state_, dt_, order < 4 ? 4 : order};
-    std::optional<double> first;
-    if (problem_.locates_jumps()) first = problem_.first_jump(path, until);
+  StepPath path() const {
+    return {task_.scheme, task_.scheme_can.at, state_, dt_, std::max(4, task_.scheme_can.order), &to_};
+  }
+
+  // The first place of the step made last at which the state jumps or an event happens.
+  std::optional<Stop> first_stop(double until) {
+    const bool last = dt_ == to_the_end_;
+    if (last) until = 1.0;
+    std::optional<Stop> first;
+    if (problem_.locates_jumps()) {
+      if (const std::optional<double> jump = problem_.first_jump(path(), until)) first = {*jump, true, true};
+    }
     if (task_.watch) {
-      const std::optional<double> event = task_.watch->first(path, there_, until);
-      if (event && !(first && *first < *event)) first = event;
+      const std::optional<Stop> event = task_.watch->first(path(), until, last);
+      if (event && !(first && first->theta < event->theta)) first = event;
     }
     return first;
   }
 
-  // Shortens the step until it ends at the first jump or event, if there is one. The controller judges the shortened
-  // step, but keeps the step that it has chosen.
+  // Shortens the step until it ends at the first jump or event, if there is one: by secants, since the distance of its
+  // end from the event is nearly linear in its length whatever the event is, and between a length that was too short
+  // and one that was too long. The controller judges the shortened step, but keeps the step that it has chosen.
   Decision land() {
-    double off = std::numeric_limits<double>::infinity();
+    if (task_.watch) task_.watch->start(path());
+    double too_short = 0.0, too_long = dt_, off = 0.0, dt = 0.0;
     for (int solves = 0; solves < max_location_iterations; ++solves) {
-      const double before = std::exchange(off, 0.0);
-      const std::optional<double> first = first_stop(solves == 0 ? 1.0 : search_limit);
-      if (!first) return {.accepted = true};
-      off = std::abs(*first - 1.0);
-      if (off <= location_tolerance || (off >= 0.5 * before && moves_no_more(off, solves))) {
-        landed_at_ = first;
-        return {.accepted = true};
-      }
+      stop_ = first_stop(solves == 0 ? 1.0 : search_limit);
+      // Nothing happens in it: what a longer step has shown is looked for again from its end.
+      if (!stop_) return {.accepted = true};
+      const double before = std::exchange(off, (stop_->theta - 1.0) * dt_);
+      if (lands(off, solves > 1 && std::abs(off) >= 0.5 * std::abs(before))) return {.accepted = true};
+      (off < 0.0 ? too_long : too_short) = dt_;
+      const bool closed = too_long - too_short <= resolution();
+      if (closed && dt_ == too_long && stop_->reached) return {.accepted = true};
+      // A secant that goes much farther than it should is not trusted.
+      const double secant = solves > 0 && off != before ? off * (dt - dt_) / (off - before) : off;
+      double next = dt_ + (std::abs(secant - off) < 0.5 * std::abs(off) ? secant : off) + rounding_unit * whole_;
       // Beyond the whole step: it was not in there after all, but at the start of the next one.
-      const bool beyond = dt_ * *first > whole_;
-      dt_ = beyond ? whole_ : dt_ * *first;
-      Decision decision = attempt_with(task_.control_can.judge_apart);
-      if (!decision.accepted || beyond) return decision;
+      if (off > 0.0 && too_long == whole_ && next >= whole_) return stop_.reset(), Decision{.accepted = true};
+      if (closed && dt_ != too_long) {
+        next = too_long;
+      } else if (!(next > too_short && next < too_long) || solves >= secants) {
+        next = 0.5 * (too_short + too_long);
+      }
+      dt = std::exchange(dt_, next);
+      const Decision decision = attempt_with(task_.control_can.judge_apart);
+      if (!decision.accepted) return decision;
     }
-    return {.impossible = not_located(state_.t, dt_, off), .failure = Failure::not_located};
+    return {.impossible = not_located(state_.t, dt, std::abs(off) / dt), .failure = Failure::not_located};
   }
 
-  bool moves_no_more(double off, int solves) const {
-    return (solves > 1 && off * dt_ <= std::max(stagnation_tolerance * dt_, stagnation_of_step * whole_)) ||
-           (solves >= grazing_iterations && off <= grazing_tolerance);
+  double resolution() const { return std::max(location_tolerance * dt_, location_roundings * rounding_unit * whole_); }
+  bool lands(double off, bool stagnates) const {
+    const double slack = stagnates ? stagnation_tolerance : stop_->sharp ? 0.0 : touch_tolerance;
+    return stop_->reached && std::abs(off) <= std::max(resolution(), slack * dt_);
   }
 
   const Task& task_;
@@ -338,13 +375,20 @@ class Run {
   State& state_;
   State to_, there_;
   bool locates_;
-  Decision last_;                    // why the step that is tried again was refused
-  double dt_ = 0.0, whole_ = 0.0;    // the step, and as it was before it was shortened [s]
-  std::optional<double> landed_at_;  // where in the step that stands it was located once more
-  long at_once_ = 0;                 // located steps in a row that passed no time
+  Decision last_;                  // why the step that is tried again was refused
+  double dt_ = 0.0, whole_ = 0.0;  // the step, and as it was before it was shortened [s]
+  double to_the_end_ = 0.0;        // the step that ends the run; not a number: the next one does not [s]
+  std::optional<Stop> stop_;       // the jump or the event at which the step that stands ends
+  long at_once_ = 0;               // located steps in a row that passed no time
 };
 
 }  // namespace
+
+void refuse_tolerance_of_sweeps() {
+  throw std::invalid_argument(
+      "run: a TOL bounds what the sweeps of a step leave, and this scheme makes none: leave it out, or take a scheme "
+      "that sweeps");
+}
 
 Outcome run(const Task& task) {
   validate_run(task.problem.traits(), task.state, task.t_end);

@@ -62,6 +62,7 @@ struct SchemeTable {
   double (*spans)(const void*, TimeScale::Kind, int) = nullptr;
   void (*accept)(void*, double);
   void (*forget)(void*);
+  void (*begin)(void*, const Problem&, const State&);
 };
 
 template <Scheme S>
@@ -71,7 +72,11 @@ constexpr SchemeTable scheme_table() {
                   .predict = [](void* s, const Problem& p, const State& from, double dt,
                                 State& to) { return as<S>(s).predict(p, from, dt, to); },
                   .accept = [](void* s, double dt) { as<S>(s).accept(dt); },
-                  .forget = [](void* s) { as<S>(s).forget(); }};
+                  .forget = [](void* s) { as<S>(s).forget(); },
+                  .begin = [](void* s, const Problem&, const State&) { as<S>(s).forget(); }};
+  if constexpr (Begins<S>) {
+    can.begin = [](void* s, const Problem& p, const State& at) { as<S>(s).begin(p, at); };
+  }
   if constexpr (Iterative<S>) {
     can.sweep = [](void* s, const Problem& p, const State& from, double dt, State& to) {
       return as<S>(s).sweep(p, from, dt, to);
@@ -145,6 +150,8 @@ struct Task {
 
 Outcome run(const Task& task);
 
+[[noreturn]] void refuse_tolerance_of_sweeps();
+
 // Whether a scheme can find the jumps of a problem; of an erased one that is not known before a run starts.
 template <class S, class P>
 concept LocatesFor = Dense<S> || std::same_as<std::remove_const_t<P>, Problem> || !LocatesJumps<P>;
@@ -156,6 +163,16 @@ Outcome integrate(P& problem, State& state, double t_end, S& scheme, C& control,
                 "problem");
   static_assert(LocatesFor<S, P>,
                 "events and located jumps need a scheme with dense output, at(from, dt, theta, there)");
+  static_assert(
+      EstimatesTruncation<S> || !NeedsTruncation<C>,
+      "this control goes by an estimate of the error of each step, and the scheme has none: take Collocation, "
+      "or FixedStep");
+  static_assert(Iterative<S> || !NeedsSweeps<C>,
+                "this control goes by the sweeps of a scheme, and this one makes none: take FixedStep, or ErrorControl "
+                "for a scheme that estimates its error");
+  if constexpr (BoundsSweeps<C> && !Iterative<S>) {
+    if (control.bounds_sweeps()) refuse_tolerance_of_sweeps();
+  }
   auto observe = [&](const State& from, const State& to, double dt) -> bool {
     return observer(from, to, dt, std::as_const(scheme));
   };
@@ -178,8 +195,8 @@ Outcome integrate(P& problem, State& state, double t_end, S& scheme, C& control,
 /// Advances a state to t_end: the loop that every scheme, controller and problem share, compiled once.
 ///
 /// Scheme and control are taken by reference and the state keeps its time, so that a run can be continued, to the same
-/// bits, and a checkpoint is three copies. A step cut short to land on t_end does not change the controller's step
-/// unless the controller decides so.
+/// bits, and a checkpoint is three copies. Any other run begins anew, whatever the scheme was used for before. A step
+/// cut short to land on t_end does not change the controller's step unless the controller decides so.
 ///
 /// A problem that locates its jumps (LocatesJumps) needs a scheme with dense output. Each step is then shortened to the
 /// first jump in it: located on the dense output, which is of lower order than the end of a step, solved anew to end

@@ -7,14 +7,13 @@
 
 #include <fmt/format.h>
 
+#include <particulate/schemes/scales.hpp>
+
 namespace particulate::schemes {
 
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
-
-// A step that moves everything by less than this share of its size is as good as none.
-constexpr double at_rest = 1e-8;
 
 // Where rounding rules, the changes go up and down within some roundings.
 constexpr double some_roundings = 64.0;
@@ -33,7 +32,8 @@ void IterationMeasure::begin(int p, std::string_view field) {
 
 void IterationMeasure::normalize(double displacement, double size) {
   const double whole = size + displacement;
-  denominator_ = std::max(displacement, at_rest * whole);
+  denominator_ = std::max(displacement, epsilon * whole);
+  it_.rests = displacement <= ErrorScales::at_rest * whole;
   it_.rounding = denominator_ > 0.0 ? epsilon * whole / denominator_ : 0.0;
 }
 
@@ -42,7 +42,7 @@ const Iteration& IterationMeasure::record(double change) {
   // What overflows may end as NaN: the last ratio still tells whether the sweeps were diverging.
   const double rate = it_.change > 0.0 ? change / it_.change : 0.0;
   if (!std::isnan(rate)) it_.rate = rate;
-  if (!(std::isfinite(change) && std::isfinite(w))) return no_value();
+  if (!(std::isfinite(change) && std::isfinite(w) && std::isfinite(denominator_))) return no_value();
   it_.K = waits_for_first() ? 0 : it_.K + 1;
   if (it_.K == 0) it_.w_0 = w;
   it_.w_K = w;
@@ -74,6 +74,18 @@ void PartMeasures::begin_as_one() {
   ranges_.clear();
   measures_.resize(1);
   measures_.front().begin(1);
+}
+
+void PartMeasures::normalize_motion(const Problem& problem, const State& from, double dt, const Eigen::VectorXd& after,
+                                    double scale) {
+  const bool by_speed = problem.traits().velocities;
+  zero_.setZero(from.r.size());
+  const double size = scale * problem.distance(by_speed ? from.v : from.r, zero_);
+  if (problem.has_scales()) {
+    problem.common_motion(from.v, drifted_);
+    drifted_ = from.r + dt * drifted_;
+  }
+  motion().normalize(problem.distance(after, problem.has_scales() ? drifted_ : from.r), size);
 }
 
 double PartMeasures::distance(const Problem& problem, const Range& range, const Eigen::VectorXd& x,
@@ -120,8 +132,9 @@ Iteration PartMeasures::worst() {
 }
 
 const Iteration& worst_of(std::span<const Iteration> all) {
-  return *std::max_element(all.begin(), all.end(), [](const Iteration& a, const Iteration& b) {
-    return a.evaluated != b.evaluated ? a.evaluated : a.w_K < b.w_K;
+  const auto left = [](const Iteration& it) { return met(it, 0.0) ? 0.0 : it.w_K; };
+  return *std::max_element(all.begin(), all.end(), [&](const Iteration& a, const Iteration& b) {
+    return a.evaluated != b.evaluated ? a.evaluated : left(a) < left(b);
   });
 }
 

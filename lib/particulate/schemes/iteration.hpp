@@ -15,9 +15,11 @@ namespace particulate::schemes {
 /// \f[ w_K = \frac{\sum_i \|r_i^{K+1} - r_i^K\|}{\sum_i \|r_i^1 - r_i^L\|} \f]
 ///
 /// @equation{R 3.3} The denominator is the displacement of the first sweep, frozen, so that the ratio of two errors is
-/// the ratio of two changes: an error over the latest displacement would mix both. It is kept above 1e-8 of the size of
-/// the state, the sum of the distances from zero: the errors of a motion that has all but come to rest are measured by
-/// that, or rounding would be taken for them; and no change over no displacement counts as 0. Sweeps that change
+/// the ratio of two changes: an error over the latest displacement would mix both. Of a problem that HasScales it is
+/// the displacement relative to the motion that its bodies share, or a frame's motion would loosen every tolerance. Of
+/// a motion that has all but come to rest (Iteration::rests: by less than 1e-8 of the size of the state, the sum of the
+/// distances from zero) rounding is all that can be asked for: see met(). No change over no displacement counts as 0.
+/// Sweeps that change
 /// nothing at all (a staggered field whose partners have not moved yet) do not count: the first is the first that
 /// changes anything.
 class IterationMeasure {
@@ -83,6 +85,16 @@ class PartMeasures {
   /// @return it; without motion that of the first range
   IterationMeasure& motion() { return measures_.front(); }
 
+  /// Sets what the sweeps over the motion are measured by: see IterationMeasure::normalize.
+  ///
+  /// @param problem  measures, and knows the motion that its bodies share, if it HasScales
+  /// @param from     the start of the step
+  /// @param dt       the step [s]
+  /// @param after    places after the first sweep [m]
+  /// @param scale    of velocities to places, where the sweeps are measured by these; else 1 [s]
+  void normalize_motion(const Problem& problem, const State& from, double dt, const Eigen::VectorXd& after,
+                        double scale);
+
   /// Books a sweep over all ranges of y.
   ///
   /// @param problem  measures
@@ -116,12 +128,14 @@ class PartMeasures {
   double distance(const Problem& problem, const Range& range, const Eigen::VectorXd& x, const Eigen::VectorXd& y) const;
 
   std::vector<IterationMeasure> measures_{1};  // the motion's first, where there is one, then one a range
+  Eigen::VectorXd zero_, drifted_;
   std::vector<Range> ranges_;
   std::vector<Iteration> iterations_;
   bool moves_ = true;
 };
 
-/// Of several iterations the one with the largest error; one without a value is the worst, the first of equals counts.
+/// Of several iterations the one with the largest error; one without a value is the worst, one at rest that rounding
+/// keeps from coming closer the least, the first of equals counts.
 ///
 /// @param all  at least one, in units of their tolerances
 /// @return it
@@ -161,6 +175,13 @@ void validate_tolerance(std::string_view whose, double TOL);
 /// @param it  an iteration
 /// @return true if the last change is one rounding of the state, or falls no more and is some of these repeated ones
 bool at_rounding(const Iteration& it);
+
+/// Whether the sweeps have met a tolerance.
+///
+/// @param it   an iteration
+/// @param TOL  on w [-]
+/// @return true if w_K is at most TOL, or the state is all but at rest and rounding keeps it from coming closer
+inline bool met(const Iteration& it, double TOL) { return it.w_K <= TOL || (it.rests && at_rounding(it)); }
 
 /// Whether the ratio of the last two changes is good to three digits.
 ///

@@ -114,9 +114,16 @@ Derivatives<Eigen::MatrixXd> whole(const Problem& problem, const State& from) {
   return by;
 }
 
+// Below which increments are absolute.
+struct Increments {
+  const Eigen::VectorXd& sizes;  // of the unknowns (r, y)
+  double speed;                  // of velocities
+};
+
 // The band, if there is one, is that of places or of values alone.
 template <class Matrix>
-bool by_differences(const Problem& problem, const State& from, const Eigen::VectorXd& sizes, Derivatives<Matrix>& by) {
+bool by_differences(const Problem& problem, const State& from, const Increments& step, Derivatives<Matrix>& by) {
+  const Eigen::VectorXd& sizes = step.sizes;
   const Traits& has = problem.traits();
   RatesBy rates(problem, from);
   Eigen::VectorXd f;
@@ -124,20 +131,21 @@ bool by_differences(const Problem& problem, const State& from, const Eigen::Vect
   if (!has.motion) { return difference_jacobian(rates.part(&State::y), from.y, f, sizes, problem.bandwidth(), by.J); }
   if (!difference_jacobian(rates.part(&State::r), from.r, f, sizes, problem.bandwidth(), by.K)) return false;
   if (!has.velocities) return true;
-  return difference_jacobian(rates.part(&State::v), from.v, f, sizes, problem.bandwidth(), by.J);
+  return difference_jacobian(rates.part(&State::v), from.v, f, Eigen::VectorXd::Constant(from.v.size(), step.speed),
+                             problem.bandwidth(), by.J);
 }
 
 // Of motion and values that act on each other.
-bool by_all_differences(const Problem& problem, const State& from, const Eigen::VectorXd& sizes,
+bool by_all_differences(const Problem& problem, const State& from, const Increments& step,
                         Derivatives<Eigen::MatrixXd>& by) {
   const Eigen::Index n = from.r.size(), m = from.y.size();
   RatesBy rates(problem, from);
   Eigen::VectorXd f;
   Eigen::MatrixXd by_r, by_v = Eigen::MatrixXd::Zero(n + m, n), by_y;
-  if (!rates(f) || !difference_jacobian(rates.part(&State::r), from.r, f, sizes.head(n), {}, by_r) ||
+  if (!rates(f) || !difference_jacobian(rates.part(&State::r), from.r, f, step.sizes.head(n), {}, by_r) ||
       (problem.traits().velocities &&
-       !difference_jacobian(rates.part(&State::v), from.v, f, sizes.head(n), {}, by_v)) ||
-      !difference_jacobian(rates.part(&State::y), from.y, f, sizes.tail(m), {}, by_y)) {
+       !difference_jacobian(rates.part(&State::v), from.v, f, Eigen::VectorXd::Constant(n, step.speed), {}, by_v)) ||
+      !difference_jacobian(rates.part(&State::y), from.y, f, step.sizes.tail(m), {}, by_y)) {
     return false;
   }
   by.K = Eigen::MatrixXd::Zero(n + m, n + m);
@@ -148,15 +156,15 @@ bool by_all_differences(const Problem& problem, const State& from, const Eigen::
 }
 
 std::optional<Derivatives<Eigen::MatrixXd>> dense_derivatives(const Problem& problem, const State& from,
-                                                              const Eigen::VectorXd& sizes) {
+                                                              const Increments& step) {
   Derivatives<Eigen::MatrixXd> by;
   if (problem.has_whole_jacobian()) {
     by = whole(problem, from);
   } else if (problem.has_jacobian()) {
     by = given<Eigen::MatrixXd>(problem, from, [&](Eigen::MatrixXd& J) { problem.jacobian(where(from), J); });
   } else if (problem.traits().motion && problem.traits().values) {
-    if (!by_all_differences(problem, from, sizes, by)) return {};
-  } else if (!by_differences(problem, from, sizes, by)) {
+    if (!by_all_differences(problem, from, step, by)) return {};
+  } else if (!by_differences(problem, from, step, by)) {
     return {};
   }
   if (!is_finite(by.J) || !is_finite(by.K)) return {};
@@ -164,7 +172,7 @@ std::optional<Derivatives<Eigen::MatrixXd>> dense_derivatives(const Problem& pro
 }
 
 std::optional<Derivatives<SparseJacobian>> sparse_derivatives(const Problem& problem, const State& from,
-                                                              const Eigen::VectorXd& sizes) {
+                                                              const Increments& step) {
   Derivatives<SparseJacobian> by;
   if (problem.traits().motion && problem.traits().values) {
     throw std::invalid_argument(
@@ -177,7 +185,7 @@ std::optional<Derivatives<SparseJacobian>> sparse_derivatives(const Problem& pro
     throw std::invalid_argument(
         "Newton: sparse matrices need a problem with sparse_jacobian() or bandwidth(), got one "
         "with neither: take DenseStages");
-  } else if (!by_differences(problem, from, sizes, by)) {
+  } else if (!by_differences(problem, from, step, by)) {
     return {};
   }
   if (!is_finite(by.J) || !is_finite(by.K)) return {};
@@ -221,7 +229,6 @@ bool difference_jacobian(const RatesOf& rates, const Eigen::VectorXd& x, const E
 
 struct NewtonSteps::Jacobians {
   std::variant<Derivatives<Eigen::MatrixXd>, Derivatives<SparseJacobian>> by;
-  Eigen::Index size;  // of the unknowns that they belong to
 };
 
 struct NewtonSteps::Factors {
@@ -242,18 +249,25 @@ struct NewtonSteps::Factors {
   }
 };
 
+// At known_at_.
+bool NewtonSteps::take(const Problem& problem) {
+  const auto keep = [&](auto by) {
+    if (by) jacobians_ = std::make_shared<Jacobians>(Jacobians{std::move(*by)});
+  };
+  jacobians_.reset();
+  factorized_ = 0.0;
+  const Increments by{sizes_, speed_};
+  sparse_ ? keep(sparse_derivatives(problem, known_at_, by)) : keep(dense_derivatives(problem, known_at_, by));
+  return jacobians_ != nullptr;
+}
+
 bool NewtonSteps::prepare(const Problem& problem, const State& from, double dt, const StageEquations& step) {
   if (!eigenvalues_) eigenvalues_ = std::make_shared<StageEigenvalues>(step.A);
-  const Eigen::Index size = step.sizes.size();
-  if (!jacobians_ || jacobians_->size != size || (step.bad && known_at_ != from.t)) {
-    jacobians_.reset();
-    const auto keep = [&](auto by) {
-      if (by) jacobians_ = std::make_shared<Jacobians>(Jacobians{std::move(*by), size});
-    };
-    sparse_ ? keep(sparse_derivatives(problem, from, step.sizes)) : keep(dense_derivatives(problem, from, step.sizes));
-    if (!jacobians_) return false;
-    known_at_ = from.t;
-    factorized_ = 0.0;
+  if (!jacobians_ || sizes_.size() != step.sizes.size() || (step.bad && known_at_.t != from.t)) {
+    known_at_ = from;
+    sizes_ = step.sizes;
+    speed_ = step.speed;
+    if (!take(problem)) return false;
   }
   if (dt == factorized_) return true;
   const auto factors = std::make_shared<Factors>();

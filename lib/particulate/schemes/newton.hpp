@@ -44,6 +44,7 @@ bool difference_jacobian(const RatesOf& rates, const Eigen::VectorXd& x, const E
 struct StageEquations {
   const Eigen::MatrixXd& A;      ///< of the method, s x s
   const Eigen::VectorXd& sizes;  ///< of the unknowns (r, y), > 0
+  double speed = 0.0;            ///< of velocities, > 0 where rates depend on them [m/s]
   bool bad = false;              ///< whether the Jacobian in hand has shown itself no good
 };
 
@@ -91,11 +92,15 @@ class NewtonSteps {
   struct Jacobians;
   struct Factors;
 
+  bool take(const Problem& problem);
+
   bool sparse_;
   std::shared_ptr<const StageEigenvalues> eigenvalues_;
   std::shared_ptr<const Jacobians> jacobians_;  // none: unknown
   std::shared_ptr<const Factors> factors_;
-  double known_at_ = 0.0, factorized_ = 0.0;
+  State known_at_;
+  Eigen::VectorXd sizes_;
+  double speed_ = 0.0, factorized_ = 0.0;
 };
 
 }  // namespace particulate::schemes

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <iosfwd>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <particulate/schemes/problem.hpp>
@@ -33,6 +35,13 @@ enum class Status {
   failed    ///< it could not go on; the reason says why
 };
 
+/// @param status  how a run ended
+/// @return its name, as it is written above
+std::string_view name(Status status);
+/// @param failure  why a run could not go on
+/// @return its name, as it is written above, with blanks: "time stands still"
+std::string_view name(Failure failure);
+
 /// What a run did. The state that it leaves belongs to time t, whatever the status.
 struct [[nodiscard]] Outcome {
   Status status = Status::reached;  ///< how it ended
@@ -56,5 +65,17 @@ struct [[nodiscard]] Outcome {
   std::vector<JumpShare> jumps_by_law = {};  ///< of each law that jumps, in their order; empty where there is one
   std::string ruled = {};                    ///< the time scale of the problem that cut a step last; empty: none did
 };
+
+/// An outcome in words: how and when the run ended, why, and what it did, as far as it is not zero.
+///
+/// @param outcome  of a run
+/// @return lines of at most 100 columns where no word is longer, without a line break at the end
+std::string describe(const Outcome& outcome);
+/// Prints describe().
+///
+/// @param out      where to
+/// @param outcome  of a run
+/// @return the stream
+std::ostream& operator<<(std::ostream& out, const Outcome& outcome);
 
 }  // namespace particulate::schemes

@@ -9,11 +9,13 @@
 
 namespace particulate::schemes {
 
+bool PhiControl::goes_on(const Iteration& it) const { return !met(it, TOL) && it.K < K_d; }
+
 Decision PhiControl::judge(const Attempt& made) {
   const Iteration& it = made.iteration;
-  const bool met = it.evaluated && it.w_K <= TOL;
-  const double next = std::min(limit, within_bounds(factor(made), met) * made.dt);
-  if (met) {
+  const bool settled = it.evaluated && met(it, TOL);
+  const double next = std::min(limit, within_bounds(factor(made), settled) * made.dt);
+  if (settled) {
     if (made.dt >= step) step = next;
     return {.accepted = true};
   }

@@ -23,6 +23,7 @@ namespace particulate::schemes {
 /// Satisfies Controller. It is a value: a copy of it is a checkpoint, `step` is all that it remembers.
 struct PhiControl {
   static constexpr bool ignores_truncation = true;  ///< it is given no estimate
+  static constexpr bool needs_sweeps = true;        ///< without them it would bound nothing
 
   double TOL = 1e-6;      ///< tolerance on w_K, at least 2.3e-16 [-]
   int K_d = 10;           ///< desired contractions, >= 1 [-]
@@ -41,7 +42,7 @@ struct PhiControl {
   double dt() const { return step; }
   /// @param it  the iteration so far
   /// @return whether TOL is not met and contractions are left
-  bool goes_on(const Iteration& it) const { return it.w_K > TOL && it.K < K_d; }
+  bool goes_on(const Iteration& it) const;
   /// Accepts what met TOL, and sets the next step.
   ///
   /// @param made  the attempted step; one cut short to land on the end of a run leaves a longer step alone

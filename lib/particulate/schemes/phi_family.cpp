@@ -36,11 +36,12 @@ double PhiFamily<Mixing>::spans(TimeScale::Kind kind, int sweeps) const {
 template <class Mixing>
 bool PhiFamily<Mixing>::predict(const Problem& problem, const State& from, double dt, State& to) {
   values_ = problem.traits().values;
+  kept_.begin_step(from);
+  if (phi_ < 1.0 && !problem.rates(from, kept_.start.rates)) return false;
   measures_.begin(problem, from, problem.traits().velocities ? 1 : 2);
   mixing_.forget();
   mean_.a.setZero(from.r.size());
   mean_.dy.setZero(values_ ? from.y.size() : 0);
-  if (phi_ < 1.0 && !problem.rates(from, start_)) return false;
   advance_time(from, dt, to);
   to.r = from.r + dt * from.v;
   to.v = from.v;
@@ -52,8 +53,8 @@ template <class Mixing>
 Iteration PhiFamily<Mixing>::sweep(const Problem& problem, const State& from, double dt, State& to) {
   if (!problem.rates(to, rates_)) return measures_.no_value();
   if (phi_ < 1.0) {
-    rates_.a = phi_ * rates_.a + (1.0 - phi_) * start_.a;
-    if (values_) rates_.dy = phi_ * rates_.dy + (1.0 - phi_) * start_.dy;
+    rates_.a = phi_ * rates_.a + (1.0 - phi_) * kept_.start.rates.a;
+    if (values_) rates_.dy = phi_ * rates_.dy + (1.0 - phi_) * kept_.start.rates.dy;
   }
   if (problem.traits().motion) measure_motion(problem, from, dt, to);
   if (values_) {
@@ -67,16 +68,63 @@ Iteration PhiFamily<Mixing>::sweep(const Problem& problem, const State& from, do
   return measures_.worst();
 }
 
+// The cubic through places and velocities of both ends; the parabola through what else is known.
+template <class Mixing>
+void PhiFamily<Mixing>::at(const State& from, double dt, double theta, State& there) const {
+  const double square = theta * theta;
+  const Rates& start = phi_ < 1.0 ? kept_.start.rates : mean_;
+  advance_time(from, theta * dt, there);
+  there.r =
+      from.r + (theta * dt) * from.v + (dt * dt * square * (3.0 * phi_ - 1.0 + (1.0 - 2.0 * phi_) * theta)) * mean_.a;
+  there.v = from.v + dt * ((theta - square) * start.a + square * mean_.a);
+  there.y = from.y;
+  if (values_) there.y += dt * ((theta - square) * start.dy + square * mean_.dy);
+}
+
+// Of what rates do in the step, D1, and what they do otherwise than in the step before, D2.
+template <class Mixing>
+Truncation PhiFamily<Mixing>::truncation(const Problem& problem, const State& from, double dt, const State& to) {
+  const int p = phi_ == 0.5 ? 2 : 1;
+  if (!find_rates(problem, from, dt, to)) return over_a_change(std::numeric_limits<double>::infinity(), p);
+  const Rates &start = kept_.start.rates, &end = kept_.end.rates;
+  const auto of_rates = [&](const Eigen::VectorXd& f, const Eigen::VectorXd& next, const Eigen::VectorXd& third,
+                            Eigen::VectorXd& error) {
+    error.setZero(f.size());
+    if (phi_ < 1.0) second_difference(f, next, third, kept_.place(), error);
+    error = ((0.5 - phi_) * dt) * (next - f) - (dt / 12.0) * error;
+  };
+  of_rates(start.a, end.a, kept_.third().a, error_.v);
+  of_rates(start.dy, end.dy, kept_.third().dy, error_.y);
+  error_.r = (dt * dt) * ((0.5 - phi_) * start.a + (1.0 / 6.0 - phi_ * phi_) * (end.a - start.a));
+  scales_.look(problem, from, dt, to);
+  return over_a_change(scales_.relative(error_), p);
+}
+
+// The rates at the end are what the mean makes them, without a further right-hand side.
+template <class Mixing>
+bool PhiFamily<Mixing>::find_rates(const Problem& problem, const State& from, double dt, const State& to) {
+  Rates &start = kept_.start.rates, &end = kept_.end.rates;
+  if (!kept_.start.hold_at(from)) {
+    if (phi_ == 1.0 && !problem.rates(from, start)) return false;
+    kept_.start.at = from;
+  }
+  if (phi_ > 0.0) {
+    end.a = (mean_.a - (1.0 - phi_) * start.a) / phi_;
+    end.dy = (mean_.dy - (1.0 - phi_) * start.dy) / phi_;
+  } else if (!problem.rates(to, end)) {
+    return false;
+  }
+  kept_.end.at = to;
+  return phi_ == 1.0 || kept_.find_third(*this, problem, from, dt);
+}
+
 template <class Mixing>
 void PhiFamily<Mixing>::measure_motion(const Problem& problem, const State& from, double dt, const State& to) {
   IterationMeasure& measure = measures_.motion();
   const bool by_speed = problem.traits().velocities;
   const double scale = by_speed ? phi_ * dt : 1.0;
   next_ = from.r + dt * from.v + (phi_ * dt * dt) * rates_.a;
-  if (measure.waits_for_first()) {
-    const Eigen::VectorXd zero = Eigen::VectorXd::Zero(from.r.size());
-    measure.normalize(problem.distance(next_, from.r), scale * problem.distance(by_speed ? from.v : from.r, zero));
-  }
+  if (measure.waits_for_first()) measures_.normalize_motion(problem, from, dt, next_, scale);
   if (by_speed) next_ = from.v + dt * rates_.a;
   measure.record(scale * problem.distance(next_, by_speed ? to.v : to.r));
 }

@@ -5,6 +5,8 @@
 #include <particulate/schemes/iteration.hpp>
 #include <particulate/schemes/mixing.hpp>
 #include <particulate/schemes/problem.hpp>
+#include <particulate/schemes/scales.hpp>
+#include <particulate/schemes/step_rates.hpp>
 
 namespace particulate::schemes {
 
@@ -70,19 +72,51 @@ class PhiFamily {
   /// @return the iteration so far, of the worst part of the state
   Iteration sweep(const Problem& problem, const State& from, double dt, State& to);
 
+  /// Dense output of the order of the scheme: of places the cubic Hermite through both ends, of velocities and values
+  /// the parabola through both ends and the rate at the start; for phi = 1, which does not know that, the line.
+  ///
+  /// @param from   state at the start of the step made last
+  /// @param dt     that step [s]
+  /// @param theta  in units of the step; 0 its start, 1 its end [-]
+  /// @param there  receives the state
+  void at(const State& from, double dt, double theta, State& there) const;
+
   /// @return how the iteration of each part of the state went; empty where there is one part alone
   std::span<const Iteration> iterations() const { return measures_.iterations(); }
 
-  void accept(double) {}  ///< Keeps nothing: a one-step method.
-  void forget() {}        ///< Has nothing to forget.
+  /// The error that the step just made left, relative to ErrorScales and over_a_change(), from the rates at both ends
+  /// and, unless phi = 1, at the start of the step before:
+  /// \f$ (\tfrac12 - \phi)\,\Delta t\,(f^{L+1} - f^L) - \tfrac1{12} \Delta t^3 f'' \f$ of velocities and values, of
+  /// places \f$ (\tfrac12 - \phi)\,\Delta t^2 a^L + (\tfrac16 - \phi^2)\,\Delta t^2 (a^{L+1} - a^L) \f$.
+  ///
+  /// @param problem  asked once more in the first step alone, and at phi = 0 in every one
+  /// @param from     state at the start
+  /// @param dt       step [s]
+  /// @param to       state at its end
+  /// @return it, of order 0, of phi = 1/2 of order 1; infinite where the problem has no value
+  Truncation truncation(const Problem& problem, const State& from, double dt, const State& to);
+
+  /// Begins a run: goes on from the last one where that ended with the same problem, else anew.
+  ///
+  /// @param problem  whose history alone is kept
+  /// @param state    the start
+  void begin(const Problem& problem, const State& state) { kept_.begin(problem, state, false); }
+  /// @param dt  length of the step that stands [s]
+  void accept(double dt) { kept_.accept(dt); }
+  /// Drops the rates that it keeps for estimates.
+  void forget() { kept_.forget(); }
 
  private:
   void measure_motion(const Problem& problem, const State& from, double dt, const State& to);
   void mix();
+  bool find_rates(const Problem& problem, const State& from, double dt, const State& to);
 
   double phi_;
   Mixing mixing_;
-  Rates mean_, rates_, start_;
+  Rates mean_, rates_;
+  StepRates kept_;
+  State error_;
+  ErrorScales scales_;
   Eigen::VectorXd next_;
   PartMeasures measures_;
   bool values_ = false;

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -112,6 +113,16 @@ concept Measures = requires(const P& p, In x, In y) {
   { p.distance(x, y) } -> std::same_as<double>;
 };
 
+/// Ability: what a motion looks like from inside, wherever it is and however fast it moves as a whole: `spacing(r)`,
+/// the distance of the two bodies that are nearest to one another, 0 where there are none; and `common_motion(v,
+/// shared)`, the velocity that all of them share, as long as v. Errors are then relative to these, see ErrorScales and
+/// IterationMeasure. Without the ability places and velocities count from zero.
+template <class P>
+concept HasScales = requires(const P& p, In r, In v, Out shared) {
+  { p.spacing(r) } -> std::same_as<double>;
+  p.common_motion(v, shared);
+};
+
 /// Ability: `ranges()`, the named ranges that y falls into, one after the other. Without it y is one.
 template <class P>
 concept HasRanges = requires(const P& p) {
@@ -162,11 +173,18 @@ struct StepPath {
   void (*at)(const void* scheme, const State& from, double dt, double theta, State& there);  ///< its dense output
   const State& from;                                                                         ///< its start
   double dt;                                                                                 ///< its length [s]
-  int intervals;  ///< to sample it in: twice its degree, for Gauss
+  int intervals;              ///< to sample it in: twice its degree, for Gauss
+  const State* to = nullptr;  ///< its end, which dense output meets to rounding alone; none: it must do
 
   /// @param theta  fraction of the step, from 0 to a little beyond 1 [-]
   /// @param there  receives the state
-  void operator()(double theta, State& there) const { at(scheme, from, dt, theta, there); }
+  void operator()(double theta, State& there) const {
+    if (to && theta == 1.0) {
+      there = *to;
+    } else {
+      at(scheme, from, dt, theta, there);
+    }
+  }
 };
 
 /// Ability: `first_jump(path, end)`, the first fraction in (0, end] of a step at which the state must jump, if any. The
@@ -309,6 +327,8 @@ struct Abilities {
   void (*sparse_jacobian)(void*, const Where&, SparseJacobian&) = nullptr;
   Bandwidth (*bandwidth)(const void*) = nullptr;
   double (*distance)(const void*, const In&, const In&) = nullptr;
+  double (*spacing)(const void*, const In&) = nullptr;
+  void (*common_motion)(const void*, const In&, Out) = nullptr;
   std::vector<Range> (*ranges)(const void*) = nullptr;
   double (*overlap)(void*, const State&) = nullptr;
   std::string (*why_no_value)(void*, const State&) = nullptr;
@@ -374,6 +394,10 @@ constexpr void add_measures(Abilities& can) {
     can.field_distance = [](const void* p, std::size_t k, const In& x, const In& y) {
       return as<P>(p).distance(k, x, y);
     };
+  }
+  if constexpr (HasScales<P>) {
+    can.spacing = [](const void* p, const In& r) { return as<P>(p).spacing(r); };
+    can.common_motion = [](const void* p, const In& v, Out shared) { as<P>(p).common_motion(v, shared); };
   }
   if constexpr (HasRanges<P>) {
     can.ranges = [](const void* p) { return std::vector<Range>(as<P>(p).ranges()); };
@@ -454,6 +478,11 @@ class Problem {
     return same;
   }
 
+  /// Which problem it is: the object's address, and its type's.
+  using Identity = std::pair<const void*, const void*>;
+  /// @return whose; one that was changed in place stays the same
+  Identity identity() const { return {self_, can_}; }
+
   /// @return what it has
   const Traits& traits() const { return can_->traits; }
 
@@ -473,7 +502,7 @@ class Problem {
   /// @return whether the problem has a value there
   bool rates(double t, const Eigen::VectorXd& r, const Eigen::VectorXd& v, const Eigen::VectorXd& y, Rates& to) const {
     to.a.resize(r.size());
-    if (can_->traits.values) to.dy.resize(y.size());
+    to.dy.resize(can_->traits.values ? y.size() : 0);
     return rates(Where{t, {r.data(), r.size()}, {v.data(), v.size()}, {y.data(), y.size()}},
                  Answers{{to.a.data(), to.a.size()}, {to.dy.data(), to.dy.size()}});
   }
@@ -517,6 +546,16 @@ class Problem {
   /// @param y  another value of it
   /// @return distance, >= 0, in its unit
   double distance(std::size_t k, const In& x, const In& y) const;
+  /// @return whether it knows its scales: see HasScales
+  bool has_scales() const { return can_->spacing; }
+  /// @param r  places [m] @return the distance of the two nearest bodies; 0 where it is unknown [m]
+  double spacing(const In& r) const { return can_->spacing ? can_->spacing(self_, r) : 0.0; }
+  /// @param v       velocities [m/s]
+  /// @param shared  receives what they share, as long as v; zero where it is unknown [m/s]
+  void common_motion(const Eigen::VectorXd& v, Eigen::VectorXd& shared) const {
+    shared.resize(v.size());
+    can_->common_motion ? can_->common_motion(self_, v, shared) : void(shared.setZero());
+  }
   /// @param size  of y @return the ranges that it falls into: the problem's, or one
   /// @throws std::invalid_argument if the problem's do not make up y one after the other
   std::vector<Range> ranges(Eigen::Index size) const;

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <particulate/schemes/problem.hpp>
+#include <particulate/schemes/scales.hpp>
+#include <particulate/schemes/step_rates.hpp>
 
 namespace particulate::schemes {
 
@@ -30,12 +32,47 @@ struct RungeKutta4 {
   /// @param to       receives the state at its end
   /// @return whether the problem had a value at all four stages
   bool predict(const Problem& problem, const State& from, double dt, State& to);
-  void accept(double) {}  ///< Keeps nothing: a one-step method.
-  void forget() {}        ///< Has nothing to forget.
+  /// Dense output of order 3 from the stages of the step made last, without a further right-hand side.
+  ///
+  /// \f[ y(\theta) = y^L + \Delta t \sum_i b_i(\theta)\, k_i, \qquad b_1 = \theta - \tfrac32 \theta^2 +
+  ///     \tfrac23 \theta^3, \quad b_2 = b_3 = \theta^2 - \tfrac23 \theta^3, \quad
+  ///     b_4 = -\tfrac12 \theta^2 + \tfrac23 \theta^3 \f]
+  ///
+  /// Source: @cite hairer1993, section II.6.
+  ///
+  /// @param from   state at the start of that step
+  /// @param dt     that step [s]
+  /// @param theta  in units of the step; 0 its start, 1 its end [-]
+  /// @param there  receives the state
+  void at(const State& from, double dt, double theta, State& there) const;
+  /// The error that the step just made left, relative to what ErrorScales sees; the larger of two
+  /// estimates. One is the method of order 3 with the rate at the end of the step in place of the last stage,
+  /// \f$ \tfrac16 \Delta t\,(k_4 - f^{L+1}) \f$; the other \f$ \tfrac1{96} \Delta t^4 f''' \f$ of the rates over this
+  /// step and the last one, as the first is blind where they depend on time alone. On \f$ y' = \lambda y \f$ both are
+  /// \f$ (\lambda\,\Delta t)^4/72 \f$.
+  ///
+  /// @param problem  asked at the end, which is the start of the next step, and once more in the first step
+  /// @param from     state at the start
+  /// @param dt       step [s]
+  /// @param to       state at its end
+  /// @return the error and its order 3; infinite where the problem has no value
+  Truncation truncation(const Problem& problem, const State& from, double dt, const State& to);
+
+  /// Begins a run: goes on from the last one where that ended with the same problem, else anew.
+  ///
+  /// @param problem  asked once more where the last one ended, if that was asked for errors
+  /// @param state    the start
+  void begin(const Problem& problem, const State& state) { kept_.begin(problem, state, true); }
+  /// @param dt  length of the step that stands [s]
+  void accept(double dt) { kept_.accept(dt); }
+  /// Drops the rates that it keeps for estimates.
+  void forget() { kept_.forget(); }
 
  private:
-  Rates k1_, k2_, k3_, k4_;
-  State stage_;
+  StepRates kept_;  // the first stage is the start's
+  Rates k2_, k3_, k4_;
+  State stage_, error_;
+  ErrorScales scales_;
 };
 
 }  // namespace particulate::schemes

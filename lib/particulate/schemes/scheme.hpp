@@ -29,6 +29,7 @@ struct Iteration {
   int p = 2;                    ///< contraction ~ Dt^p: 2 for second-order problems, 1 for first-order ones [-]
   bool evaluated = true;        ///< false: the problem had no value, or no finite one, at some iterate
   double rounding = 0.0;        ///< what one rounding of the state makes of w: no w below it means anything [-]
+  bool rests = false;           ///< whether the first displacement is below 1e-8 of the state, so that rounding will do
   std::string_view field = {};  ///< where a state has several parts, the name of this one; it outlives the run
 };
 
@@ -36,8 +37,8 @@ struct Iteration {
 ///
 /// `predict(problem, from, dt, to)` gives the first guess of the step, which is an explicit scheme's answer, and
 /// returns whether the problem had a value; `accept(dt)` keeps the step's history for the next one; `forget()` drops
-/// it, because the state was changed from outside. `advances(traits)`, a constant function, says whether the scheme can
-/// advance all that a problem has; values that change by jumps alone are carried along for it.
+/// it, because the state was changed from outside or another run begins. `advances(traits)`, a constant function, says
+/// whether the scheme can advance all that a problem has; values that change by jumps alone are carried along for it.
 template <class S>
 concept Scheme = std::copyable<S> && requires(S& s, const Problem& p, const State& from, double dt, State& to) {
   { S::order } -> std::convertible_to<int>;
@@ -63,6 +64,14 @@ concept Iterative = Scheme<S> && requires(S& s, const Problem& p, const State& f
 template <class S>
 concept Dense = requires(const S& s, const State& from, double dt, double theta, State& there) {
   s.at(from, dt, theta, there);
+};
+
+/// Ability of a scheme: `begin(problem, state)`, told at the start of every run in place of forget(), so that a run in
+/// two parts repeats one run to the last bit. History may be kept only where the run goes on exactly where the last
+/// step ended, with the same problem (Problem::identity), and where it is still right if that was changed in between.
+template <class S>
+concept Begins = requires(S& s, const Problem& p, const State& at) {
+  s.begin(p, at);
 };
 
 /// Ability of a scheme: how many of a problem's time scales one of its steps may span, `spans(kind, sweeps)`: 1/omega
@@ -94,7 +103,8 @@ concept Measured = requires(const S& s) {
   { s.iterations() } -> std::convertible_to<std::span<const Iteration>>;
 };
 
-/// Ability of a scheme: `truncation(problem, from, dt, to)` estimates the error of the step just made.
+/// Ability of a scheme: `truncation(problem, from, dt, to)` estimates the error of the step just made, of the first
+/// step too: where it cannot, NaN, the step is refused.
 template <class S>
 concept EstimatesTruncation = requires(S& s, const Problem& p, const State& from, double dt, const State& to) {
   { s.truncation(p, from, dt, to) } -> std::same_as<Truncation>;
@@ -128,6 +138,21 @@ concept FixesStep = C::fixes_step;
 template <class C>
 concept FixesSweeps = C::fixes_sweeps && requires(const C& c) {
   { c.sweeps } -> std::convertible_to<int>;
+};
+
+/// Ability of a controller: `needs_truncation`, a constant. A scheme without an estimate does not compile under it.
+template <class C>
+concept NeedsTruncation = C::needs_truncation;
+
+/// Ability of a controller: `needs_sweeps`, a constant. A scheme that makes none does not compile under it.
+template <class C>
+concept NeedsSweeps = C::needs_sweeps;
+
+/// Ability of a controller: `bounds_sweeps()`, whether it has a tolerance for sweeps. Under it a scheme that makes none
+/// is refused when a run starts.
+template <class C>
+concept BoundsSweeps = requires(const C& c) {
+  { c.bounds_sweeps() } -> std::same_as<bool>;
 };
 
 /// Ability of a controller: `ignores_truncation`, a constant. No estimate is then made for it, which may cost

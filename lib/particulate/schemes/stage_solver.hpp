@@ -62,8 +62,7 @@ struct SparseStages {};
 /// which are charged as evaluations: one for each unknown, or for a banded one, one for each diagonal, and one at the
 /// start. Where motion and values act on each other it is that of all of (r, v, y).
 /// @tparam Stages  DenseStages, or SparseStages for a problem with a sparse Jacobian or a bandwidth, which has motion
-/// or
-///                 values, not both
+///                 or values, not both
 template <class Stages = DenseStages>
 struct Newton {
   using Linear = Stages;  ///< how the linear systems are solved

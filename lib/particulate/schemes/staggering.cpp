@@ -119,7 +119,15 @@ Iteration Staggered::sweep(const Problem& problem, const State& from, double dt,
   collect();
   const Iteration worst = worst_of(iterations_);
   if (relaxation_ && worst.evaluated) relax(to);
+  end_ = to;
   return worst;
+}
+
+void Staggered::at(const State& from, double dt, double theta, State& there) const {
+  advance_time(from, theta * dt, there);
+  there.r = from.r + theta * (end_.r - from.r);
+  there.v = from.v + theta * (end_.v - from.v);
+  there.y = from.y + theta * (end_.y - from.y);
 }
 
 void Staggered::record(const Problem& problem, std::size_t k, const State& to) {

@@ -89,6 +89,14 @@ class Staggered {
   /// @return the iteration of the field with the largest error, in units of its tolerance
   Iteration sweep(const Problem& problem, const State& from, double dt, State& to);
 
+  /// Dense output of order 1, whatever solves the fields: the straight line.
+  ///
+  /// @param from   state at the start of the step made last
+  /// @param dt     that step [s]
+  /// @param theta  in units of the step; 0 its start, 1 its end [-]
+  /// @param there  receives the state
+  void at(const State& from, double dt, double theta, State& there) const;
+
   /// @return how each field's iteration went, in units of its tolerance
   std::span<const Iteration> iterations() const { return iterations_; }
 
@@ -118,6 +126,7 @@ class Staggered {
   std::vector<IterationMeasure> measures_;
   std::vector<Iteration> iterations_;
   std::vector<Eigen::VectorXd> starts_, olds_;
+  State end_;  // of the step made last
 };
 
 }  // namespace particulate::schemes

@@ -13,12 +13,15 @@ namespace particulate::schemes {
 using In = Eigen::Ref<const Eigen::VectorXd>;  ///< a flat, contiguous, unpadded vector that is read
 using Out = Eigen::Ref<Eigen::VectorXd>;       ///< a flat, contiguous, unpadded vector that is written
 
+using VectorsOf = Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, 3>>;   ///< N vectors of a state, a row each
+using MutableVectorsOf = Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, 3>>;  ///< the same, to be written
+
 /// A moment of a problem: places and velocities of second order, and values of first order that ride along.
 ///
 /// \f[ r' = v, \qquad v' = a(t, r[, v][, y]), \qquad y' = f(t[, r][, v], y) \f]
 ///
 /// What a problem does not have is empty and costs nothing. For particles, r is the N x 3 array of positions read
-/// column by column: all x, then all y, then all z.
+/// column by column: all x, then all y, then all z; positions(), position() and their like know it.
 struct State {
   double t = 0.0;          ///< time [s]
   Eigen::VectorXd r = {};  ///< places [m]
@@ -26,6 +29,58 @@ struct State {
   Eigen::VectorXd y = {};  ///< values of first order, in the problem's units
   double t_carry = 0.0;    ///< what rounding took from t: the time is t + t_carry; zero where a user writes a state [s]
 };
+
+/// The positions of the particles of a state, N x 3, where they stand in it: a view, no copy.
+///
+/// @param state  of particles; it must outlive the view
+/// @return its r, a row a particle [m]
+/// @throws std::invalid_argument if r does not hold three numbers a particle
+VectorsOf positions(const State& state);
+/// @copydoc positions(const State&)
+MutableVectorsOf positions(State& state);
+/// A state that ends with its line has no view that outlives it.
+VectorsOf positions(const State&& state) = delete;
+
+/// The velocities of the particles of a state, N x 3, where they stand in it: a view, no copy.
+///
+/// @param state  of particles; it must outlive the view
+/// @return its v, a row a particle [m/s]
+/// @throws std::invalid_argument if v does not hold three numbers a particle
+VectorsOf velocities(const State& state);
+/// @copydoc velocities(const State&)
+MutableVectorsOf velocities(State& state);
+/// A state that ends with its line has no view that outlives it.
+VectorsOf velocities(const State&& state) = delete;
+
+/// The position of one particle, as it is now. It cannot be assigned to: set_position() writes.
+///
+/// @param state  of particles
+/// @param i      particle, 0 <= i < N
+/// @return r_i [m]
+/// @throws std::invalid_argument for a particle that is not there
+const Eigen::Vector3d position(const State& state, Eigen::Index i);
+/// The velocity of one particle, as it is now. It cannot be assigned to: set_velocity() writes.
+///
+/// @param state  of particles
+/// @param i      particle, 0 <= i < N
+/// @return v_i [m/s]
+/// @throws std::invalid_argument for a particle that is not there
+const Eigen::Vector3d velocity(const State& state, Eigen::Index i);
+
+/// Puts one particle elsewhere.
+///
+/// @param state  of particles
+/// @param i      particle, 0 <= i < N
+/// @param value  its new position [m]
+/// @throws std::invalid_argument for a particle that is not there
+void set_position(State& state, Eigen::Index i, const Eigen::Vector3d& value);
+/// Gives one particle another velocity.
+///
+/// @param state  of particles
+/// @param i      particle, 0 <= i < N
+/// @param value  its new velocity [m/s]
+/// @throws std::invalid_argument for a particle that is not there
+void set_velocity(State& state, Eigen::Index i, const Eigen::Vector3d& value);
 
 /// Exchanges two states without copying a number of them.
 ///

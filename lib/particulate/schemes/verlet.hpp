@@ -3,6 +3,8 @@
 #include <limits>
 
 #include <particulate/schemes/problem.hpp>
+#include <particulate/schemes/scales.hpp>
+#include <particulate/schemes/step_rates.hpp>
 
 namespace particulate::schemes {
 
@@ -31,17 +33,45 @@ struct VelocityVerlet {
   /// @param to       receives the state at its end
   /// @return whether the problem had a value at both ends
   bool predict(const Problem& problem, const State& from, double dt, State& to);
-  /// Keeps the acceleration at the end of the step, with the time and place where it holds.
-  void accept(double);
-  /// Drops the kept acceleration: for a caller that has changed the problem itself.
-  void forget() { kept_ = false; }
+  /// Dense output of order 2: cubic Hermite, of places from velocities, of velocities from accelerations.
+  ///
+  /// \f[ r(\theta) = r^L + \theta\,\Delta t\,v^L + \tfrac12 \theta^2 \Delta t^2 \left(a^L + (\theta - 1)(a^{L+1} -
+  ///     a^L)\right), \qquad v(\theta) = v^L + \theta\,\Delta t\,a^L + \tfrac12 \theta^2 \Delta t\,(a^{L+1} - a^L) \f]
+  ///
+  /// @param from   state at the start of the step made last
+  /// @param dt     that step [s]
+  /// @param theta  in units of the step; 0 its start, 1 its end [-]
+  /// @param there  receives the state
+  void at(const State& from, double dt, double theta, State& there) const;
+
+  /// The error that the step just made left, relative to ErrorScales and over_a_change(): of places by the change of
+  /// the acceleration in the step, \f$ \tfrac16 \Delta t^2 (a^{L+1} - a^L) \f$, of velocities by that of its change
+  /// since the step before, \f$ \tfrac1{12} \Delta t^3 a'' \f$.
+  ///
+  /// @param problem  asked once more in the first step alone
+  /// @param from     state at the start
+  /// @param dt       step [s]
+  /// @param to       state at its end
+  /// @return it, of order 1; infinite where the problem has no value
+  Truncation truncation(const Problem& problem, const State& from, double dt, const State& to);
+
+  /// Begins a run: goes on from the last one where that ended with the same problem, else anew.
+  ///
+  /// @param problem  asked once more where the last one ended
+  /// @param state    the start
+  void begin(const Problem& problem, const State& state) { kept_.begin(problem, state, true); }
+  /// @param dt  length of the step that stands [s]
+  void accept(double dt) { kept_.accept(dt); }
+  /// Drops the kept accelerations: for a caller that has changed the problem itself.
+  void forget() { kept_.forget(); }
 
  private:
-  bool continues(const State& from) const;
+  // Velocities do not count.
+  static bool keep(const Problem& problem, const State& state, const Eigen::VectorXd& v, KeptRates& kept);
 
-  Rates start_, end_;
-  State kept_at_, end_at_;  // where they hold; velocities do not count
-  bool kept_ = false;
+  StepRates kept_;
+  State error_;
+  ErrorScales scales_;
 };
 
 }  // namespace particulate::schemes

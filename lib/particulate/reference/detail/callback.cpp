@@ -107,15 +107,14 @@ int find_events(sunrealtype t, N_Vector y, sunrealtype* g, void* data) noexcept 
   Callback& callback = *static_cast<Callback*>(data);
   if (callback.thrown) return -1;
   try {
-    Eigen::Map<Eigen::VectorXd> out(g, static_cast<Eigen::Index>(callback.events.directions.size()));
     callback.at.t = t;
     schemes::unflatten(read(y), callback.at);
-    callback.events.functions(callback.at, out);
-    if (!out.allFinite()) {
-      callback.no_event_at = t;
-      return -1;
-    }
     for (std::size_t k = 0; k < callback.armed.size(); ++k) {
+      g[k] = callback.events[k].function(callback.at);
+      if (!std::isfinite(g[k])) {
+        callback.no_event_at = t;
+        return -1;
+      }
       if (callback.armed[k]) continue;
       callback.armed[k] = std::abs(g[k]) > callback.residue[static_cast<Eigen::Index>(k)];
       if (!callback.armed[k]) g[k] = 0.0;

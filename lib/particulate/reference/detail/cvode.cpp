@@ -44,11 +44,11 @@ void Cvode::begin(const Settings& method, Callback& callback, double t, N_Vector
 }
 
 void Cvode::watch_for(const Events& events) {
-  events_ = events.directions.size();
+  events_ = events.size();
   if (events_ == 0) return;
   void* const m = memory_.get();
   std::vector<int> directions;
-  for (const Direction direction : events.directions) directions.push_back(static_cast<int>(direction));
+  for (const Event& event : events) directions.push_back(static_cast<int>(event.direction));
   check(CVodeRootInit(m, static_cast<int>(events_), find_events), "CVodeRootInit");
   check(CVodeSetRootDirection(m, directions.data()), "CVodeSetRootDirection");
   check(CVodeSetNoInactiveRootWarn(m), "CVodeSetNoInactiveRootWarn");

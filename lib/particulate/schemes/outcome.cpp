@@ -1,0 +1,111 @@
+#include <particulate/schemes/outcome.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <ostream>
+
+#include <fmt/format.h>
+
+namespace particulate::schemes {
+
+std::string_view name(Status status) {
+  switch (status) {
+    case Status::reached:
+      return "reached";
+    case Status::stopped:
+      return "stopped";
+    case Status::failed:
+      return "failed";
+  }
+  return "unknown";
+}
+
+std::string_view name(Failure failure) {
+  switch (failure) {
+    case Failure::none:
+      return "none";
+    case Failure::no_value:
+      return "no value";
+    case Failure::diverging:
+      return "diverging";
+    case Failure::slow:
+      return "slow";
+    case Failure::rounding:
+      return "rounding";
+    case Failure::time_stands_still:
+      return "time stands still";
+    case Failure::inaccurate:
+      return "inaccurate";
+    case Failure::unsettled_jump:
+      return "unsettled jump";
+    case Failure::not_located:
+      return "not located";
+    case Failure::accumulating:
+      return "accumulating";
+    case Failure::beyond_limit:
+      return "beyond limit";
+  }
+  return "unknown";
+}
+
+namespace {
+
+constexpr std::size_t columns = 100;
+
+// Lines that break at blanks and go on two columns in.
+std::string broken(std::string_view text, std::string line) {
+  std::string lines;
+  for (bool begins = true; !text.empty(); begins = false) {
+    const std::string_view word = text.substr(0, text.find(' '));
+    text.remove_prefix(std::min(word.size() + 1, text.size()));
+    if (!begins && line.size() + 1 + word.size() > columns) {
+      lines += line + '\n';
+      line = " ";
+    }
+    line += (begins ? "" : " ") + std::string(word);
+  }
+  return lines + line;
+}
+
+// Counts and measures, apart from those that are zero or unknown.
+class Facts {
+ public:
+  void count(long n, std::string_view one, std::string_view many) {
+    if (n != 0) add(fmt::format("{} {}", n, n == 1 ? one : many));
+  }
+  void measure(std::string_view what, double x, std::string_view unit) {
+    if (x != 0.0 && !std::isnan(x)) add(fmt::format("{} {:.6g}{}", what, x, unit));
+  }
+  void add(const std::string& fact) { text_ += (text_.empty() ? "" : ", ") + fact; }
+  const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+};
+
+}  // namespace
+
+std::string describe(const Outcome& outcome) {
+  const char* const when = outcome.status == Status::reached ? "" : "at ";
+  std::string end = fmt::format("{} {}t = {} s", name(outcome.status), when, outcome.t);
+  if (outcome.failure != Failure::none) end += fmt::format(" ({})", name(outcome.failure));
+  if (!outcome.reason.empty()) end += fmt::format(": {}", outcome.reason);
+
+  Facts facts;
+  facts.count(outcome.steps, "step", "steps");
+  facts.count(outcome.rejections, "rejected", "rejected");
+  facts.count(outcome.sweeps, "sweep", "sweeps");
+  facts.count(outcome.evaluations, "right-hand side", "right-hand sides");
+  facts.count(outcome.impacts, "impact", "impacts");
+  facts.measure("largest contraction", outcome.contraction, "");
+  facts.measure("deepest overlap", outcome.overlap, " m");
+  facts.measure("energy changed by jumps", outcome.energy_change, " J");
+  facts.measure("a step that would have worked", outcome.workable_step, " s");
+  facts.measure("accumulating at t =", outcome.accumulation, " s");
+  if (!outcome.ruled.empty()) facts.add(fmt::format("steps cut by {}", outcome.ruled));
+  return broken(end, "") + (facts.text().empty() ? "" : "\n" + broken(facts.text(), "  "));
+}
+
+std::ostream& operator<<(std::ostream& out, const Outcome& outcome) { return out << describe(outcome); }
+
+}  // namespace particulate::schemes
