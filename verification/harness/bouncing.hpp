@@ -82,10 +82,9 @@ inline particulate::schemes::State bouncing_truth(const BouncingScene& scene, co
 inline particulate::reference::Events ground_events(Eigen::Index N) {
   particulate::reference::Events events;
   for (Eigen::Index i = 0; i < N; ++i) {
-    events.push_back({.function = [row = 2 * N + i](const particulate::schemes::State& at) {
-                        return at.r[row] - ball_radius;
-                      },
-                      .direction = particulate::reference::Direction::falling});
+    events.push_back(
+        {.function = [row = 2 * N + i](const particulate::schemes::State& at) { return at.r[row] - ball_radius; },
+         .direction = particulate::reference::Direction::falling});
   }
   return events;
 }
