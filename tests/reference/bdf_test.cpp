@@ -303,9 +303,8 @@ BOOST_AUTO_TEST_CASE(events_stop_it_where_the_closed_form_has_them) {
        {particulate::reference::Jacobian(DenseJacobian{}), particulate::reference::Jacobian(BandedJacobian{0, 0})}) {
     Stiff problem;
     State state = one(2.0);
-    const Events events{
-        {.function = [](const State& at) { return at.y[0] - 1.5; }, .direction = Direction::falling},
-        {.function = [](const State& at) { return at.y[0] - 0.5; }}};
+    const Events events{{.function = [](const State& at) { return at.y[0] - 1.5; }, .direction = Direction::falling},
+                        {.function = [](const State& at) { return at.y[0] - 0.5; }}};
     Integrator integrator(problem, state, Bdf{.relative = 1e-9, .absolute = 1e-11, .jacobian = jacobian}, events);
     BOOST_TEST(integrator.advance(state, 4.0).reason == "event 0 falling");
     BOOST_TEST(state.t == 1e-6 * std::log(2.0), tolerance(1e-5));

@@ -127,9 +127,8 @@ BOOST_AUTO_TEST_CASE(an_event_does_not_stop_where_it_starts) {
 BOOST_AUTO_TEST_CASE(an_event_that_has_stopped_does_not_stop_again_after_another_one_close_by) {
   Falling problem;
   State ball = at_height(0.4);
-  const Events events{
-      {.function = [](const State& at) { return at.r[0]; }},
-      {.function = [](const State& at) { return at.r[0] - 1e-14; }, .direction = Direction::rising}};
+  const Events events{{.function = [](const State& at) { return at.r[0]; }},
+                      {.function = [](const State& at) { return at.r[0] - 1e-14; }, .direction = Direction::rising}};
   Integrator integrator(problem, ball, Adams{.relative = 1e-12, .absolute = 1e-14}, events);
   std::vector<std::string> seen;
   for (int leg = 0; leg < 8; ++leg) {

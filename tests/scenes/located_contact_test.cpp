@@ -117,7 +117,8 @@ BOOST_AUTO_TEST_CASE(ends_where_the_impacts_of_a_bouncing_ball_accumulate) {
     const Outcome outcome = run(scene, ball, 100.0, ExactFall(), FixedStep{.step = 0.1});
     BOOST_TEST((outcome.status == Status::failed));
     BOOST_TEST((outcome.failure == Failure::accumulating));
-    BOOST_TEST(outcome.accumulation == fall * (1.0 + e) / (1.0 - e), tolerance(1e-11));
+    // Each impact is found where the gap first rounds to zero: 1e-16 m early, at the end over 4e-5 m/s, some 20 times.
+    BOOST_TEST(outcome.accumulation == fall * (1.0 + e) / (1.0 - e), tolerance(5e-11));
     BOOST_TEST(outcome.reason.find("particle 0 and a wall come to rest on each other") == 0U);
     BOOST_TEST(outcome.t == ball.t);
   }

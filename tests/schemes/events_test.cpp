@@ -184,10 +184,9 @@ BOOST_AUTO_TEST_CASE(finds_several_in_one_step_in_their_order) {
 }
 
 BOOST_AUTO_TEST_CASE(takes_events_of_one_time_together_in_the_order_of_their_functions) {
-  const Events three{
-      {.function = [](const State& at) { return at.y[0] - 0.6; }},
-      {.function = [](const State& at) { return at.y[0] - 0.8; }, .direction = Direction::rising},
-      {.function = [](const State& at) { return 1.2 - 2.0 * at.y[0]; }}};
+  const Events three{{.function = [](const State& at) { return at.y[0] - 0.6; }},
+                     {.function = [](const State& at) { return at.y[0] - 0.8; }, .direction = Direction::rising},
+                     {.function = [](const State& at) { return 1.2 - 2.0 * at.y[0]; }}};
   State state = sine_start();
   Watch watch(three);
   const auto next = [&] { return run(Sine{}, state, 3.0, ExactSine(), FixedStep{.step = 0.7}, watch).reason; };

@@ -47,9 +47,8 @@ Run spring_until(double t_end, double step, const Events& events) {
 }
 
 Events level(double of, Direction direction, schemes::Action action = schemes::Action::record) {
-  return {{.function = [of](const schemes::State& at) { return at.r[0] - of; },
-           .direction = direction,
-           .action = action}};
+  return {
+      {.function = [of](const schemes::State& at) { return at.r[0] - of; }, .direction = direction, .action = action}};
 }
 
 // Passages of cos t through a level: falling at acos, rising at 2 pi - acos, and so on.
@@ -89,13 +88,12 @@ void directions(Rows& rows) {
 // Three functions, of which two have a zero in common; the third's come between, several in each long step.
 Events three_functions() {
   using schemes::Action, schemes::State;
-  return {
-      {.function = [](const State& at) { return at.r[0] - 0.3; }, .action = Action::record, .name = "place"},
-      {.function = [](const State& at) { return 0.6 - 2.0 * at.r[0]; },
-       .direction = Direction::rising,
-       .action = Action::record,
-       .name = "twin"},
-      {.function = [](const State& at) { return at.v[0] + 0.7; }, .action = Action::record, .name = "speed"}};
+  return {{.function = [](const State& at) { return at.r[0] - 0.3; }, .action = Action::record, .name = "place"},
+          {.function = [](const State& at) { return 0.6 - 2.0 * at.r[0]; },
+           .direction = Direction::rising,
+           .action = Action::record,
+           .name = "twin"},
+          {.function = [](const State& at) { return at.v[0] + 0.7; }, .action = Action::record, .name = "speed"}};
 }
 
 std::string in_words(const std::vector<Hit>& hits) {

@@ -10,8 +10,8 @@ namespace particulate::schemes {
 
 namespace {
 
-// A turn so soon touches nothing and is not doubted: one after another, each nearer to the start, would shorten a step to
-// nothing. One that lies so soon after the end of a step is told there, from its slopes.
+// A turn so soon touches nothing and is not doubted: one after another, each nearer to the start, would shorten a step
+// to nothing. One that lies so soon after the end of a step is told there, from its slopes.
 constexpr double near_start = 1e-4, beyond_end = 1e-3;
 // Nor is one so near to the end, which is the scheme's own.
 constexpr double near_end = 1e-6;
@@ -50,8 +50,10 @@ class Scan {
   // A turn is of interest where the function heads for zero first, or has yet to show on which side it leaves zero; and
   // not where it could not leave it.
   bool turns(const Sample& a, const Sample& b) const {
+    if (side_ != 0) {
+      return opposite(side_, a.slope) && (opposite(a.slope, b.slope) || (b.slope == 0.0 && b.value != 0.0));
+    }
     if (!opposite(a.slope, b.slope)) return false;
-    if (side_ != 0) return opposite(side_, a.slope);
     return std::max(std::abs(a.slope), std::abs(b.slope)) * (b.theta - a.theta) > rules_.leave;
   }
 
@@ -60,8 +62,9 @@ class Scan {
     if (side_ == 0) return from_zero(a, b);
     const double height = side_ * b.value;
     if (turns_at_end && std::abs(height) <= rules_.graze) {
-      return rules_.touches && b.theta >= near_start && counts(passing()) ? std::optional(Crossing{b.theta, Direction::either, side_})
-                                             : std::nullopt;
+      return rules_.touches && b.theta >= near_start && counts(passing())
+                 ? std::optional(Crossing{b.theta, Direction::either, side_})
+                 : std::nullopt;
     }
     const bool in_doubt = turns_at_end && b.theta >= near_start && std::abs(1.0 - b.theta) > near_end &&
                           height <= 4.0 * rules_.doubt * b.theta * std::abs(1.0 - b.theta);
@@ -72,7 +75,8 @@ class Scan {
     }
     const auto zero = std::exchange(zero_, std::nullopt);
     if (height > 0.0) return zero && rules_.touches && counts(passing()) ? touch(*zero) : std::nullopt;
-    if (counts(passing())) return Crossing{zero ? root(zero->first, zero->second, 0.0) : root(a, b, 0.0), passing(), side_};
+    if (counts(passing()))
+      return Crossing{zero ? root(zero->first, zero->second, 0.0) : root(a, b, 0.0), passing(), side_};
     side_ = -side_;
     return {};
   }

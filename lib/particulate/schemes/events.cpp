@@ -43,7 +43,8 @@ void move_along(const StepPath& path, double theta, const State& there, double b
 
 void validate(const Events& events) {
   for (std::size_t k = 0; k < events.size(); ++k) {
-    if (!events[k].function) throw std::invalid_argument(fmt::format("events: {} needs a function", name_of(events, k)));
+    if (!events[k].function)
+      throw std::invalid_argument(fmt::format("events: {} needs a function", name_of(events, k)));
     const auto number = static_cast<int>(events[k].direction);
     if (number < -1 || number > 1) {
       throw std::invalid_argument(fmt::format(
@@ -108,21 +109,23 @@ void Watch::start(const StepPath& path) {
 Watch::Beginning Watch::begin(std::size_t k, bool changed, double moves) const {
   Beginning begun = begun_[k];
   const Left& left = left_[k];
-  const double size = std::abs(begun.value), band = std::max(begun.rounding, at_start / difference_width * std::abs(moves));
+  const double size = std::abs(begun.value),
+               band = std::max(begun.rounding, at_start / difference_width * std::abs(moves));
   begun.from = std::abs(moves) > begun.rounding ? sign(moves) : 0;
   bool at_zero = size == 0.0;
   if (left.side == 0) {
     at_zero = at_zero || (fresh_ && size <= band);
-  } else if (left.touched) {
-    at_zero = at_zero || size <= std::abs(left.value);
+  } else if (left.back) {
+    at_zero = at_zero || size <= left.band;
     begun.from = left.side;
+    begun.changed = left.changed;
   } else if (changed) {
-    at_zero = at_zero || size <= std::max(std::abs(left.value), band);
-    begun.stands = begun.from == 0;
-    if (begun.stands) begun.from = left.side;
+    at_zero = at_zero || size <= std::max(left.band, band);
+    begun.changed = at_zero;
+    if (begun.from == 0) begun.from = left.side;
   } else {
     // Short of zero, by rounding, where a run has ended.
-    at_zero = at_zero || (left.side * begun.value > 0.0 && size <= std::abs(left.value));
+    at_zero = at_zero || (left.side * begun.value > 0.0 && size <= left.band);
     begun.from = 0;
   }
   begun.side = at_zero ? 0 : sign(begun.value);
@@ -157,7 +160,7 @@ ZeroRules Watch::rules_of(std::size_t k, const std::vector<Sample>& samples, boo
   if (begun.from == 0) {
     rules.leave = std::abs(begun.value);
   } else {
-    rules.floor = -begun.from * std::max(std::abs(begun.value), left_[k].touched ? rules.graze : 0.0);
+    rules.floor = -begun.from * std::max(std::abs(begun.value), left_[k].band);
   }
   return rules;
 }
@@ -174,30 +177,42 @@ std::optional<Stop> Watch::first(const StepPath& path, double end, bool last) {
                           },
                       .slope = [&](double theta) { return slope(k, path, theta, end); }};
     int side = begun_[k].side;
-    found_[k] = first_crossing(samples[k], along, rules_of(k, samples[k], last), side);
+    const ZeroRules rules = rules_of(k, samples[k], last);
+    begun_[k].graze = rules.graze;
+    begun_[k].farthest = 0.0;
+    for (const Sample& sample : samples[k]) {
+      begun_[k].farthest = std::max(begun_[k].farthest, begun_[k].from * sample.value);
+    }
+    found_[k] = first_crossing(samples[k], along, rules, side);
     const std::optional<Crossing>& found = found_[k];
     if (!found || (earliest && earliest->theta <= found->theta)) continue;
     const double at_end = found->from * samples[k][static_cast<std::size_t>(path.intervals)].value;
     const bool touches = found->way == Direction::either;
-    earliest = {
-        .theta = found->theta, .reached = touches || found->theta == 1.0 || at_end <= 0.0, .sharp = !touches};
+    earliest = {.theta = found->theta,
+                .reached = touches || found->theta == 1.0 || (found->theta < 1.0 && at_end <= 0.0),
+                .sharp = !touches};
   }
   return earliest;
 }
 
 std::size_t Watch::happen(const State& to, const std::optional<Stop>& stop) {
-  fresh_ = false;
+  fresh_ = stands_ = false;
   const std::size_t before = hits_.size();
   for (std::size_t k = 0; k < events_.size(); ++k) {
-    left_[k] = {};
+    const Beginning& begun = begun_[k];
     const bool touched = found_[k] && found_[k]->way == Direction::either;
-    if (!stop || !found_[k] || found_[k]->theta > (touched ? std::max(1.0, stop->theta) : 1.0)) continue;
-    if (hits_.size() == before) last_ = to, stands_ = false;
-    stands_ = stands_ || begun_[k].stands;
-    hits_.push_back({.event = k, .crossing = found_[k]->way, .t = to.t});
-    left_[k] = {.side = found_[k]->from, .value = value(k, to), .touched = touched};
+    if (stop && found_[k] && found_[k]->theta <= (touched ? std::max(1.0, stop->theta) : 1.0)) {
+      stands_ = stands_ || (begun.changed && begun.farthest <= begun.rounding);
+      hits_.push_back({.event = k, .crossing = found_[k]->way, .t = to.t});
+      const double size = std::abs(value(k, to));
+      left_[k] = {.side = found_[k]->from, .band = touched ? std::max(size, begun.graze) : size, .back = touched};
+    } else if (begun.side == 0 && begun.from != 0 && std::abs(value(k, to)) <= left_[k].band) {
+      left_[k] = {.side = begun.from, .band = left_[k].band, .back = true, .changed = begun.changed};
+    } else {
+      left_[k] = {};
+    }
   }
-  if (hits_.size() == before) stands_ = false;
+  if (hits_.size() > before) last_ = to;
   return hits_.size() - before;
 }
 

@@ -162,6 +162,8 @@ class Watch {
   bool stops(std::size_t many) const;
   /// @return whether the last event had come back to zero before it left it by more than rounding
   bool stands() const { return stands_; }
+  /// @return how many events and jumps in a row have passed no time so far, through all runs: the run counts them [-]
+  long& at_once() { return at_once_; }
   /// @return the events that happened last at one time, in words; empty if there was none
   std::string last() const;
 
@@ -172,13 +174,16 @@ class Watch {
     int from = 0;           // at zero: the side to which it goes or goes back, 0: not known
     double value = 0.0;     // there
     double rounding = 0.0;  // what rounding of the state makes of it
-    bool stands = false;    // an event has changed the state, and the slope does not tell whether it goes back
+    double graze = 0.0;     // an extreme value so near to zero touches it
+    double farthest = 0.0;  // how far it gets to that side
+    bool changed = false;   // at zero, where an event has changed the state
   };
-  // What the last step has left of a function.
+  // What the last step has left of a function that had an event, and has not left zero since.
   struct Left {
-    int side = 0;  // it had an event, and came to it from here; 0: none
-    double value = 0.0;
-    bool touched = false;
+    int side = 0;          // it came from here; 0: it had none
+    double band = 0.0;     // what is so near to zero is still there
+    bool back = false;     // it goes back there: it has touched zero, or this was found before
+    bool changed = false;  // see Beginning
   };
 
   double value(std::size_t k, const State& at) const;
@@ -191,8 +196,9 @@ class Watch {
   WatchSettings settings_;
   bool fresh_ = true;  // no step has been made yet
   bool stands_ = false;
-  State there_, beside_;      // scratch
-  State last_;                // the state that the last event has met
+  long at_once_ = 0;
+  State there_, beside_;  // scratch
+  State last_;            // the state that the last event has met
   std::vector<Left> left_;
   std::vector<Beginning> begun_;                // of the step looked at
   std::vector<std::optional<Crossing>> found_;  // in it

@@ -306,10 +306,11 @@ class Run {
 
   bool accumulates() {
     const bool no_time = dt_ <= time_resolution * rounding_unit * whole_ || (task_.watch && task_.watch->stands());
-    at_once_ = stop_ && no_time ? at_once_ + 1 : 0;
-    if (at_once_ <= (task_.watch ? task_.watch->settings() : WatchSettings{}).most_at_once) return false;
+    long& at_once = task_.watch ? task_.watch->at_once() : at_once_;
+    at_once = stop_ && no_time ? at_once + 1 : 0;
+    if (at_once <= (task_.watch ? task_.watch->settings() : WatchSettings{}).most_at_once) return false;
     out_.accumulation = state_.t;
-    return !end(Status::failed, accumulating(state_.t, at_once_), Failure::accumulating);
+    return !end(Status::failed, accumulating(state_.t, at_once), Failure::accumulating);
   }
 
   StepPath path() const {
@@ -336,19 +337,24 @@ class Run {
   // and one that was too long. The controller judges the shortened step, but keeps the step that it has chosen.
   Decision land() {
     if (task_.watch) task_.watch->start(path());
-    double too_short = 0.0, too_long = dt_, off = 0.0, dt = 0.0;
+    double too_short = 0.0, too_long = dt_, off = 0.0, dt = 0.0, margin = rounding_unit * whole_;
+    bool bracketed = false;
     for (int solves = 0; solves < max_location_iterations; ++solves) {
       stop_ = first_stop(solves == 0 ? 1.0 : search_limit);
-      // Nothing happens in it: what a longer step has shown is looked for again from its end.
-      if (!stop_) return {.accepted = true};
-      const double before = std::exchange(off, (stop_->theta - 1.0) * dt_);
-      if (lands(off, solves > 1 && std::abs(off) >= 0.5 * std::abs(before))) return {.accepted = true};
+      // Nothing happens in it: what a longer step has shown is looked for again from its end, if it is there at all.
+      if (!stop_ && !bracketed) return {.accepted = true};
+      const double before = std::exchange(off, stop_ ? (stop_->theta - 1.0) * dt_ : margin);
+      const bool stagnates = solves > 1 && solves <= secants && std::abs(off) >= 0.5 * std::abs(before);
+      if (stop_ && lands(off, stagnates)) return {.accepted = true};
       (off < 0.0 ? too_long : too_short) = dt_;
+      bracketed = bracketed || (stop_ && stop_->reached && stop_->sharp);
       const bool closed = too_long - too_short <= resolution();
       if (closed && dt_ == too_long && stop_->reached) return {.accepted = true};
-      // A secant that goes much farther than it should is not trusted.
+      // A secant that goes much farther than it should is not trusted. Beyond what it is to reach by rounding, which
+      // may be more than expected.
       const double secant = solves > 0 && off != before ? off * (dt - dt_) / (off - before) : off;
-      double next = dt_ + (std::abs(secant - off) < 0.5 * std::abs(off) ? secant : off) + rounding_unit * whole_;
+      if (off > 0.0 && (stagnates || off <= 8.0 * margin)) margin = std::max(8.0 * margin, off);
+      double next = dt_ + (std::abs(secant - off) < 0.5 * std::abs(off) ? secant : off) + margin;
       // Beyond the whole step: it was not in there after all, but at the start of the next one.
       if (off > 0.0 && too_long == whole_ && next >= whole_) return stop_.reset(), Decision{.accepted = true};
       if (closed && dt_ != too_long) {
@@ -379,7 +385,7 @@ class Run {
   double dt_ = 0.0, whole_ = 0.0;  // the step, and as it was before it was shortened [s]
   double to_the_end_ = 0.0;        // the step that ends the run; not a number: the next one does not [s]
   std::optional<Stop> stop_;       // the jump or the event at which the step that stands ends
-  long at_once_ = 0;               // located steps in a row that passed no time
+  long at_once_ = 0;               // located steps in a row that passed no time, where no watch counts them
 };
 
 }  // namespace
