@@ -106,8 +106,15 @@ BOOST_AUTO_TEST_CASE(keeps_within_the_limit_and_within_the_growth_bound) {
   ErrorControl now = control();
   now.judge({.dt = 0.5, .iteration = solved, .truncation = {.error = 0.0, .order = 2}});
   BOOST_TEST(now.dt() == 1.5);
-  now.judge({.dt = 1.5, .iteration = solved, .truncation = {}});
+  now.judge({.dt = 1.5, .iteration = solved, .truncation = {.error = 0.0, .order = 2}});
   BOOST_TEST(now.dt() == 2.0);
+}
+
+BOOST_AUTO_TEST_CASE(refuses_a_step_of_which_there_is_no_estimate) {
+  ErrorControl now = control();
+  const Decision refused = now.judge({.dt = 0.5, .iteration = solved, .truncation = {}});
+  BOOST_TEST(!refused.accepted);
+  BOOST_TEST(contains(refused.refusal, "of the step of 0.5 s the scheme estimates no error"));
 }
 
 BOOST_AUTO_TEST_CASE(keeps_a_retry_within_its_bounds) {

@@ -67,13 +67,26 @@ BOOST_AUTO_TEST_CASE(counts_no_change_over_no_displacement_as_none) {
   BOOST_TEST(it.evaluated);
 }
 
-BOOST_AUTO_TEST_CASE(measures_a_motion_that_is_all_but_at_rest_by_the_size_of_the_state) {
+// A displacement below 1e-8 of the state is met at its rounding, one above by the tolerance alone.
+BOOST_AUTO_TEST_CASE(lets_rounding_do_for_a_motion_that_is_all_but_at_rest) {
+  for (const bool rests : {true, false}) {
+    IterationMeasure measure;
+    measure.begin(2);
+    measure.normalize(rests ? 0.9e-8 : 1.1e-8, 1.0);
+    measure.record(1e-9);
+    BOOST_TEST(!met(measure.iteration(), 1e-12));
+    measure.record(eps);
+    BOOST_TEST(met(measure.iteration(), 1e-12) == rests);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(divides_by_no_less_than_one_rounding_of_the_state) {
   IterationMeasure measure;
   measure.begin(2);
   measure.normalize(0.0, 2.0);
-  BOOST_TEST(measure.unit() == 2e-8);
-  BOOST_TEST(measure.record(1.0).w_0 == 0.5e8);
-  BOOST_TEST(measure.iteration().rounding == eps / 1e-8);
+  BOOST_TEST(measure.unit() == 2.0 * eps);
+  BOOST_TEST(measure.record(1.0).w_0 == 0.5 / eps);
+  BOOST_TEST(measure.iteration().rounding == 1.0);
 }
 
 BOOST_AUTO_TEST_CASE(begins_to_count_with_the_first_sweep_that_changes_anything) {

@@ -64,25 +64,33 @@ bool AnyCollocation::predict(const Problem& problem, const State& from, double d
 }
 
 // The guess of the step shows how large its numbers are, where they start from zero; of those that stay at zero in it,
-// the rates at its end do.
+// the rates at its end do. Changes are measured by the start, where that is not zero: a guess that shoots beyond the
+// step would loosen what they must meet.
 bool AnyCollocation::prepare_newton(const Problem& problem, const State& from, double dt, const State& to) {
-  scales_.look(problem, from, dt, to);
-  Eigen::VectorXd sizes = scales_.unknowns();
-  if (n_ + m_ > 0 && sizes.minCoeff() <= ErrorScales::smallest) {
-    stage_ = to;
+  Eigen::VectorXd sizes;
+  const auto known_from = [&](const State& end) {
+    scales_.look(problem, from, dt, end);
+    sizes = scales_.unknowns();
+    return sizes.size() == 0 || sizes.minCoeff() > ErrorScales::smallest;
+  };
+  stage_ = to;
+  if (!known_from(to)) {
     if (!rates_here(problem, to.t)) return false;
     stage_.r = to.r + (dt * dt) * f_.head(n_);
     if (m_ > 0) stage_.y = to.y + dt * f_.tail(m_);
-    scales_.look(problem, from, dt, stage_);
-    sizes = scales_.unknowns();
-    stage_.y = from.y;
+    (void)known_from(stage_);
   }
   range_TOL_.resize(m_);
   if (m_ > 0) {
     for (const Range& range : problem.ranges(m_)) range_TOL_.segment(range.first, range.size).setConstant(range.TOL);
   }
   const bool bad = retried_ || rate_ > slow;
-  return solver_.newton.prepare(problem, from, dt, {.A = A_, .sizes = sizes, .speed = scales_.speed(), .bad = bad});
+  if (!solver_.newton.prepare(problem, from, dt, {.A = A_, .sizes = sizes, .speed = scales_.speed(), .bad = bad})) {
+    return false;
+  }
+  if (!known_from(from)) (void)known_from(stage_);
+  stage_.y = from.y;
+  return true;
 }
 
 Iteration AnyCollocation::sweep(const Problem& problem, const State& from, double dt, State& to) {
