@@ -34,15 +34,19 @@ class Scan {
     return before ? before : along(turn, b, false);
   }
 
+  // What counts, or what must be seen before it does.
+  std::optional<Crossing> before(const std::optional<Crossing>& found) const {
+    return found && other_way_ ? other_way_ : found;
+  }
+
   // At the last sample, where a function has come to zero, is short of it by no more than rounding, or about to turn.
-  std::optional<Crossing> at_end(const Sample& before, const Sample& last) const {
+  std::optional<Crossing> at_end(const Sample& last) const {
     if (side_ == 0 || !counts(passing())) return {};
     if (zero_) return Crossing{root(zero_->first, zero_->second, 0.0), passing(), side_};
     const double height = side_ * last.value;
     if (!opposite(side_, last.slope) || last.theta != 1.0) return {};
     if (height <= rules_.reach) return Crossing{1.0, passing(), side_};
-    const double turn = last.slope * (1.0 - before.theta) / (before.slope - last.slope);
-    const bool touches = rules_.touches && height <= rules_.graze && turn >= 0.0 && turn <= beyond_end;
+    const bool touches = rules_.touches && height <= rules_.graze && opposite(last.slope, f_.slope(1.0 + beyond_end));
     return touches ? std::optional(Crossing{1.0, Direction::either, side_}) : std::nullopt;
   }
 
@@ -75,9 +79,11 @@ class Scan {
     }
     const auto zero = std::exchange(zero_, std::nullopt);
     if (height > 0.0) return zero && rules_.touches && counts(passing()) ? touch(*zero) : std::nullopt;
-    if (counts(passing()))
-      return Crossing{zero ? root(zero->first, zero->second, 0.0) : root(a, b, 0.0), passing(), side_};
+    const Crossing passes{zero ? root(zero->first, zero->second, 0.0) : root(a, b, 0.0), passing(), side_};
+    if (counts(passing())) return passes;
     side_ = -side_;
+    other_way_ = passes;
+    other_way_->counts = false;
     return {};
   }
 
@@ -113,6 +119,7 @@ class Scan {
   const Along& f_;
   const ZeroRules& rules_;
   int& side_;
+  std::optional<Crossing> other_way_ = {};              // the last passage that did not count
   std::optional<std::pair<Sample, Sample>> zero_ = {};  // the samples before and at a zero that has yet to be told
 };
 
@@ -154,9 +161,9 @@ std::optional<Crossing> first_crossing(const std::vector<Sample>& samples, const
   Scan scan(f, rules, side);
   for (std::size_t k = 1; k < samples.size(); ++k) {
     const std::optional<Crossing> found = scan.over(samples[k - 1], samples[k]);
-    if (found) return found;
+    if (found) return scan.before(found);
   }
-  return scan.at_end(samples[samples.size() - 2], samples.back());
+  return scan.before(scan.at_end(samples.back()));
 }
 
 }  // namespace particulate::schemes

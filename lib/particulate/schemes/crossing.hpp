@@ -51,6 +51,7 @@ struct Crossing {
   double theta = 0.0;                  ///< the place; never 0 [-]
   Direction way = Direction::falling;  ///< falling, rising, or either: it touches zero and turns back
   int from = 0;                        ///< the side on which it was before, +1 or -1
+  bool counts = true;                  ///< false: it passes the other way, and comes back within the step
 };
 
 /// Places of a step that lie densest at its ends.
@@ -80,7 +81,8 @@ std::vector<double> chebyshev_points(int intervals, double end);
 ///         never a
 double bracketed_root(const std::function<double(double)>& f, double a, double fa, double b, double fb);
 
-/// The first passage of a function through zero.
+/// The first passage of a function through zero that counts. Where one that does not count comes before it, that is
+/// given: dense output alone does not tell whether there are two of them or none.
 ///
 /// From one sample to the next a change of sign shows a root. Where the slope changes its sign in between, and the
 /// function either heads for zero or has not left it, the turning point is found as the root of the slope, and what
@@ -98,7 +100,7 @@ double bracketed_root(const std::function<double(double)>& f, double a, double f
 /// @param rules    what counts
 /// @param side     +1: it was positive at the start, -1: negative, 0: at zero and has not left it yet; brought up to
 ///                 date as far as passages do not count
-/// @return the first passage that counts, none if there is none
+/// @return the passage, none if there is none that counts
 std::optional<Crossing> first_crossing(const std::vector<Sample>& samples, const Along& f, const ZeroRules& rules,
                                        int& side);
 

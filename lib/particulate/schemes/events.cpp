@@ -18,6 +18,8 @@ constexpr double difference_width = 1e-5;
 constexpr double doubt = 1e-4;
 // What is so near to the start of a step, in parts of it, is there.
 constexpr double at_start = 1e-14;
+// A slope so small at the start of a step, over the slope a little later, is that of a turn.
+constexpr double soon = 0.1, at_turn = 1e-2;
 // So many roundings of the state are no change of it.
 constexpr double roundings = 16.0 * std::numeric_limits<double>::epsilon();
 
@@ -103,6 +105,13 @@ void Watch::start(const StepPath& path) {
   for (std::size_t k = 0; k < events_.size(); ++k) begun_[k].rounding = std::abs(value(k, beside_) - begun_[k].value);
   move_along(path, 0.0, there_, difference_width, beside_);
   for (std::size_t k = 0; k < events_.size(); ++k) begun_[k] = begin(k, changed, value(k, beside_) - begun_[k].value);
+  for (std::size_t k = 0; k < events_.size(); ++k) {
+    Beginning& begun = begun_[k];
+    if (left_[k].side != 0 || std::abs(begun.value) > begun.rounding) continue;
+    const double here = slope(k, path, 0.0, 1.0), later = slope(k, path, soon, 1.0);
+    // It turns where the step starts: rounding may show it on either side of zero.
+    if (std::abs(here) <= at_turn * std::abs(later)) begun.side = begun.from = 0;
+  }
 }
 
 // Tells whether a function is at zero, and whether it leaves that or goes back to where it came from.
@@ -170,12 +179,13 @@ std::optional<Stop> Watch::first(const StepPath& path, double end, bool last) {
   if (events_.empty()) return earliest;
   const std::vector<std::vector<Sample>> samples = samples_of(path, end);
   for (std::size_t k = 0; k < events_.size(); ++k) {
-    const Along along{.value =
-                          [&](double theta) {
-                            path(theta, there_);
-                            return value(k, there_);
-                          },
-                      .slope = [&](double theta) { return slope(k, path, theta, end); }};
+    const Along along{
+        .value =
+            [&](double theta) {
+              path(theta, there_);
+              return value(k, there_);
+            },
+        .slope = [&](double theta) { return slope(k, path, theta, std::max(end, theta + difference_width)); }};
     int side = begun_[k].side;
     const ZeroRules rules = rules_of(k, samples[k], last);
     begun_[k].graze = rules.graze;
@@ -201,7 +211,7 @@ std::size_t Watch::happen(const State& to, const std::optional<Stop>& stop) {
   for (std::size_t k = 0; k < events_.size(); ++k) {
     const Beginning& begun = begun_[k];
     const bool touched = found_[k] && found_[k]->way == Direction::either;
-    if (stop && found_[k] && found_[k]->theta <= (touched ? std::max(1.0, stop->theta) : 1.0)) {
+    if (stop && found_[k] && found_[k]->counts && found_[k]->theta <= (touched ? std::max(1.0, stop->theta) : 1.0)) {
       stands_ = stands_ || (begun.changed && begun.farthest <= begun.rounding);
       hits_.push_back({.event = k, .crossing = found_[k]->way, .t = to.t});
       const double size = std::abs(value(k, to));

@@ -99,7 +99,7 @@ struct Stop {
 ///   be told apart happen together, in the order of their events.
 /// - **At the start.** A function that is zero at the start of a step passes nothing by leaving, but does by coming
 ///   back. At the start of a run, and where an event has changed the state, it is zero within what sixteen roundings of
-///   the state, or 1e-14 of the step, make of it.
+///   the state, or 1e-14 of the step, make of it; where it turns, within what those roundings make of it.
 /// - **After a change** of the state at an event, by Event::change or by the caller, a function goes back to where it
 ///   came from, unless its slope shows that it goes on: a ball that is sent back, however slowly, meets the ground
 ///   again. Events that come back before they have left zero by more than rounding end the run, as they accumulate.
