@@ -98,7 +98,9 @@ std::string describe(const Outcome& outcome) {
   facts.count(outcome.evaluations, "right-hand side", "right-hand sides");
   facts.count(outcome.impacts, "impact", "impacts");
   facts.measure("largest contraction", outcome.contraction, "");
+  facts.measure("overlap at the start", outcome.overlap_at_start, " m");
   facts.measure("deepest overlap", outcome.overlap, " m");
+  if (outcome.travel > 1.0) facts.measure("a body moved in a step by", outcome.travel, " of its radius");
   facts.measure("energy changed by jumps", outcome.energy_change, " J");
   facts.measure("a step that would have worked", outcome.workable_step, " s");
   facts.measure("accumulating at t =", outcome.accumulation, " s");

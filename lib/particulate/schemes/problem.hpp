@@ -142,7 +142,7 @@ struct Jump {
   double overlap = 0.0;        ///< deepest overlap of two bodies before it [m]
   double travel = 0.0;         ///< largest move of a body in the step, over its radius, if bodies could pass unseen [-]
   long evaluations = 0;        ///< right-hand sides that it asked for [-]
-  std::string unsettled;       ///< not empty: the jump could not be completed, and why
+  std::string unsettled = {};  ///< not empty: the jump could not be completed, and why
   double accumulates =
       std::numeric_limits<double>::quiet_NaN();  ///< where jumps follow one another ever faster: the
                                                  ///< time that they do not get beyond; NaN: nowhere [s]
