@@ -12,6 +12,7 @@
 #include <particulate/schemes/runge_kutta.hpp>
 #include <particulate/schemes/verlet.hpp>
 
+#include "close.hpp"
 #include "exact_fall.hpp"
 #include "problems.hpp"
 #include "says.hpp"

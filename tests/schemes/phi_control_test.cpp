@@ -3,6 +3,7 @@
 #include <array>
 
 #include "close.hpp"
+#include "numbers.hpp"
 
 namespace tests::phi_control_test {
 
@@ -126,8 +127,8 @@ BOOST_AUTO_TEST_CASE(names_the_setting_and_what_was_given) {
   refuses([](PhiControl& c) { c.TOL = not_a_number; }, "got nan");
   refuses([](PhiControl& c) { c.K_d = 0; }, "K_d must be at least 1, got 0");
   refuses([](PhiControl& c) { c.limit = 0.0; }, "limit must be positive and finite, in s, got 0");
-  refuses([](PhiControl& c) { c.step = 1.0; }, "step must be positive and at most limit, in s, got 1");
-  refuses([](PhiControl& c) { c.step = 0.0; }, "step must be positive and at most limit");
+  refuses([](PhiControl& c) { c.step = 1.0; }, "step must be positive and at most limit, or left out, in s, got 1");
+  refuses([](PhiControl& c) { c.limit = infinity; }, "limit must be positive and finite, in s, got inf");
   refuses([](PhiControl& c) { c.smallest = 0.6; }, "smallest must be in [0, step], in s, got 0.6");
   refuses([](PhiControl& c) { c.growth = 1.0; }, "growth must be finite and above 1, got 1");
   refuses([](PhiControl& c) { c.retry = 1.0; }, "retry must be in (0, 1), got 1");

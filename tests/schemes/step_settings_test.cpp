@@ -27,9 +27,9 @@ BOOST_AUTO_TEST_SUITE(validate_)
 
 BOOST_AUTO_TEST_CASE(refuses_each_setting_that_cannot_be_meant) {
   BOOST_CHECK_NO_THROW(validate("a control", good));
-  refuses(&StepSettings::step, {0.0, -1.0, 1.5, not_a_number},
-          "a control: step must be positive and at most limit, in s, got ");
-  refuses(&StepSettings::limit, {0.0, -1.0, infinity, not_a_number}, "a control: limit must be positive and finite");
+  refuses(&StepSettings::step, {-1.0, 1.5, not_a_number},
+          "a control: step must be positive and at most limit, or left out, in s, got ");
+  refuses(&StepSettings::limit, {0.0, -1.0, not_a_number}, "a control: limit must be positive, in s, got ");
   refuses(&StepSettings::smallest, {-1.0, 0.6, not_a_number}, "a control: smallest must be in [0, step], in s, got ");
   refuses(&StepSettings::growth, {1.0, infinity, not_a_number}, "a control: growth must be finite and above 1, got ");
   refuses(&StepSettings::retry, {0.0, 1.0, not_a_number}, "a control: retry must be in (0, 1), got ");

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <limits>
 #include <particulate/schemes/scheme.hpp>
 
 namespace particulate::schemes {
@@ -29,15 +31,17 @@ struct ErrorControl {
   double sweep_TOL = 1e-6;  ///< on what the sweeps leave, in the measure of w_K, at least 2.3e-16 [-]
   int K_d = 2;              ///< desired contractions, >= 1 [-]
   int allowed = 8;          ///< contractions after which a step is refused, >= K_d [-]
-  double step = 0.0;        ///< the step to try next, at first the first one; in (0, limit] [s]
-  double limit = 0.0;       ///< the largest step, finite: no estimate sees what happens between its nodes [s]
-  double smallest = 0.0;    ///< a step below this one is not tried, the run fails; in [0, step] [s]
-  double safety = 0.9;      ///< aims below TOL, in (0, 1]: an estimate that grows by the way would be refused [-]
-  double growth = 3.0;      ///< a step is at most so many times the last one, > 1: the guess of its sweeps is
-                            ///< extrapolated over so much more than the last polynomial saw [-]
-  double worth = 1.1;       ///< growth by less than this is not made, >= 1: equal steps keep a decomposition [-]
-  double retry = 0.9;       ///< a step that is made again is at most so many times as large, in (0, 1) [-]
-  double shrink = 0.1;      ///< and at least so many times, in (0, retry) [-]
+  double step = 0.0;        ///< the step to try next, at first the first one; in (0, limit], 0: see first_step() [s]
+  double limit =
+      std::numeric_limits<double>::infinity();  ///< the largest step: no estimate sees what happens between its nodes,
+                                                ///< so give one where forces act suddenly; left out: none [s]
+  double smallest = 0.0;                        ///< a step below this one is not tried, the run fails; in [0, step] [s]
+  double safety = 0.9;  ///< aims below TOL, in (0, 1]: an estimate that grows by the way would be refused [-]
+  double growth = 3.0;  ///< a step is at most so many times the last one, > 1: the guess of its sweeps is
+                        ///< extrapolated over so much more than the last polynomial saw [-]
+  double worth = 1.1;   ///< growth by less than this is not made, >= 1: equal steps keep a decomposition [-]
+  double retry = 0.9;   ///< a step that is made again is at most so many times as large, in (0, 1) [-]
+  double shrink = 0.1;  ///< and at least so many times, in (0, retry) [-]
 
   double last_error = 0.0;  ///< set by judge(): the estimate of the step accepted last; 0: none [-]
   double last_step = 0.0;   ///< set by judge(): that step [s]
@@ -45,6 +49,10 @@ struct ErrorControl {
 
   /// @return the step to try next [s]
   double dt() const { return step; }
+  /// @return whether the first step was left out
+  bool waits_for_step() const { return step == 0.0; }
+  /// @param first  the step to begin with, taken within smallest and limit [s]
+  void begin(double first) { step = std::min(limit, std::max(smallest, first)); }
   /// @param it  the iteration so far
   /// @return whether the sweeps have still to go on
   bool goes_on(const Iteration& it) const;

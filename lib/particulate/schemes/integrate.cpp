@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <particulate/schemes/first_step.hpp>
 #include <particulate/schemes/iteration.hpp>
 
 namespace particulate::schemes {
@@ -135,6 +136,7 @@ class Run {
     out_.overlap_at_start = problem_.overlap(state_);
     bool goes_on = true;
     task_.scheme_can.begin(task_.scheme, problem_, state_);
+    if (task_.control_can.waits_for_step(task_.control) && state_.t < task_.t_end) begin_control();
     while (goes_on && state_.t < task_.t_end) goes_on = step();
     out_.t = state_.t;
     return out_;
@@ -159,6 +161,14 @@ class Run {
   static constexpr double time_resolution = 1000.0;
 
   void forget() { task_.scheme_can.forget(task_.scheme); }
+
+  void begin_control() {
+    if (problem_.traits().staggered) {
+      throw std::invalid_argument(
+          "run: the first step of staggered fields must be given, as no rates tell one, but the control has step = 0");
+    }
+    task_.control_can.begin(task_.control, first_step(problem_, state_, task_.t_end));
+  }
 
   bool end(Status status, std::string reason, Failure failure = Failure::none) {
     if (failure == Failure::no_value) reason += why_no_value();

@@ -112,6 +112,8 @@ struct ControlTable {
   Decision (*judge)(void*, const Attempt&);
   Decision (*judge_apart)(void*, const Attempt&);  // by a copy, which is kept only if it refuses
   int (*sweeps)(const void*);                      // of every step; 0: as many as it takes
+  bool (*waits_for_step)(const void*);
+  void (*begin)(void*, double step);
 };
 
 template <Controller C>
@@ -132,7 +134,15 @@ inline constexpr ControlTable control_table_of{
     .sweeps = [](const void* c) -> int {
       if constexpr (FixesSweeps<C>) return as<C>(c).sweeps;
       return 0;
-    }};
+    },
+    .waits_for_step = [](const void* c) -> bool {
+      if constexpr (WaitsForStep<C>) return as<C>(c).waits_for_step();
+      return false;
+    },
+    .begin =
+        [](void* c, double step) {
+          if constexpr (WaitsForStep<C>) as<C>(c).begin(step);
+        }};
 
 // What integrate() is given.
 struct Task {

@@ -47,6 +47,8 @@ void validate(const PhiControl& control) {
   constexpr const char* whose = "Phi_K control";
   validate_tolerance(whose, control.TOL);
   detail::require(whose, control.K_d >= 1, "K_d must be at least 1", control.K_d);
+  detail::require(whose, control.limit > 0.0 && std::isfinite(control.limit), "limit must be positive and finite, in s",
+                  control.limit);
   detail::validate(whose, {.step = control.step,
                            .limit = control.limit,
                            .smallest = control.smallest,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <string_view>
 
 #include <particulate/schemes/scheme.hpp>
@@ -27,7 +28,7 @@ struct PhiControl {
 
   double TOL = 1e-6;      ///< tolerance on w_K, at least 2.3e-16 [-]
   int K_d = 10;           ///< desired contractions, >= 1 [-]
-  double step = 0.0;      ///< the step to try next, at first the first one; in (0, limit] [s]
+  double step = 0.0;      ///< the step to try next, at first the first one; in (0, limit], 0: see first_step() [s]
   double limit = 0.0;     ///< Dt_lim: alone bounds the error of the time discretization [s]
   double smallest = 0.0;  ///< a step below this one is not tried, the run fails; in [0, step] [s]
   double growth = 2.0;    ///< a step is at most so many times the last one, > 1; Phi_K extrapolates a contraction seen
@@ -40,6 +41,10 @@ struct PhiControl {
 
   /// @return the step to try next [s]
   double dt() const { return step; }
+  /// @return whether the first step was left out
+  bool waits_for_step() const { return step == 0.0; }
+  /// @param first  the step to begin with, taken within smallest and limit [s]
+  void begin(double first) { step = std::min(limit, std::max(smallest, first)); }
   /// @param it  the iteration so far
   /// @return whether TOL is not met and contractions are left
   bool goes_on(const Iteration& it) const;

@@ -155,6 +155,14 @@ concept BoundsSweeps = requires(const C& c) {
   { c.bounds_sweeps() } -> std::same_as<bool>;
 };
 
+/// Ability of a controller: `waits_for_step()`, whether its first step was left out, and `begin(step)`, which gives it
+/// one when a run starts: see first_step().
+template <class C>
+concept WaitsForStep = requires(C& c, const C& seen, double step) {
+  { seen.waits_for_step() } -> std::same_as<bool>;
+  c.begin(step);
+};
+
 /// Ability of a controller: `ignores_truncation`, a constant. No estimate is then made for it, which may cost
 /// right-hand sides.
 template <class C>

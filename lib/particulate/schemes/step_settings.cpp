@@ -19,9 +19,11 @@ void require(std::string_view whose, bool holds, std::string_view what, double g
 }
 
 void validate(std::string_view whose, const StepSettings& of) {
-  require(whose, positive(of.limit), "limit must be positive and finite, in s", of.limit);
-  require(whose, positive(of.step) && of.step <= of.limit, "step must be positive and at most limit, in s", of.step);
-  require(whose, of.smallest >= 0.0 && of.smallest <= of.step, "smallest must be in [0, step], in s", of.smallest);
+  require(whose, of.limit > 0.0, "limit must be positive, in s", of.limit);
+  require(whose, of.step == 0.0 || (positive(of.step) && of.step <= of.limit),
+          "step must be positive and at most limit, or left out, in s", of.step);
+  const double most = of.step > 0.0 ? of.step : of.limit;
+  require(whose, of.smallest >= 0.0 && of.smallest <= most, "smallest must be in [0, step], in s", of.smallest);
   require(whose, of.growth > 1.0 && std::isfinite(of.growth), "growth must be finite and above 1", of.growth);
   require(whose, of.retry > 0.0 && of.retry < 1.0, "retry must be in (0, 1)", of.retry);
   require(whose, of.shrink > 0.0 && of.shrink < of.retry, "shrink must be in (0, retry)", of.shrink);

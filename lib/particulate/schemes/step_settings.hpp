@@ -11,8 +11,8 @@ namespace particulate::schemes::detail {
 
 /// The settings of a control that grows and shrinks its step; see PhiControl for what they mean.
 struct StepSettings {
-  double step;      ///< in (0, limit] [s]
-  double limit;     ///< > 0, finite [s]
+  double step;      ///< in (0, limit], or 0: none was given [s]
+  double limit;     ///< > 0 [s]
   double smallest;  ///< in [0, step] [s]
   double growth;    ///< > 1, finite [-]
   double retry;     ///< in (0, 1) [-]
