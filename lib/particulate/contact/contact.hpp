@@ -172,6 +172,8 @@ extern template Touching find_touching<kinematics::Space>(const kinematics::Spac
 double travel(const laws::At<laws::Velocity>& at, std::span<const kinematics::Wall> walls, double dt);
 
 /// @param domain  with walls or without
+/// @param at      the particles at the end of the step
+/// @param dt      the step [s]
 /// @return travel() there [-]
 template <kinematics::Domain D>
 double travel(const D& domain, const laws::At<laws::Velocity>& at, double dt) {
