@@ -348,6 +348,7 @@ std::string stamp_table(const fs::path& data) {
   const nlohmann::ordered_json stamp = nlohmann::ordered_json::parse(report::read_whole(data / "stamp.json"));
   HtmlTable table{.columns = {"Made with", ""}};
   for (const auto& [key, value] : stamp.items()) {
+    if (key == "files") continue;  // which its folder shows
     table.rows.push_back(
         {escaped(key), escaped(value.is_string() ? without_folders(value.get<std::string>()) : value.dump())});
   }

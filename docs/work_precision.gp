@@ -17,7 +17,7 @@ set title noenhanced heading
 # Gnuplot makes an iteration at least once, so what may be absent is put together as text.
 failed(column) = failures == 0 ? '' : \
   sprintf(", data index curves using (right):%d with points lc rgb '#808080' pt 2 ps 0.9 lw 2 title 'failed'", column).\
-  sprintf(", data index curves using (right):%d:1 with labels right offset -0.8,0 textcolor rgb '#808080' notitle", column)
+  sprintf(", data index curves using (right*(left/right)**(0.01+0.025*$1)):%d:1 with labels right textcolor rgb '#808080' notitle", column)
 theory = ''
 if (slopes > 0) {
   do for [i = 1:slopes] {

@@ -320,6 +320,7 @@ bool rub(const ContactResolver<R, Friction>& law, Motions& motions, Cluster& clu
   }
   for (const std::vector<std::size_t>& part : connected(cluster.contacts, pushed, motions.inverse_mass)) {
     std::vector<Impulse> so_far;
+    so_far.reserve(part.size());
     for (const std::size_t k : part) so_far.push_back(cluster.impulses[k]);
     const std::vector<Eigen::Vector3d> friction =
         friction_of(law.friction, motions, chosen(cluster.contacts, part), so_far, duration);

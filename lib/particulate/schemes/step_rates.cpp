@@ -11,11 +11,8 @@ bool KeptRates::hold_at(const State& state) const {
 }
 
 void StepRates::begin(const Problem& problem, const State& state, bool ask) {
-  if (problem.identity() != of_ || !end.hold_at(state)) {
-    forget();
-  } else if (ask && !problem.rates(state, end.rates)) {
-    forget();
-  }
+  const bool goes_on = problem.identity() == of_ && end.hold_at(state);
+  if (!goes_on || (ask && !problem.rates(state, end.rates))) forget();
   of_ = problem.identity();
 }
 
