@@ -136,6 +136,92 @@ const Case tolerance_proportionality{
       compare_reactions<Radau<5>>(rows, "Radau 5, Newton", 1e-3, 1e-7);
     }};
 
+// The breathing pair in other units, of other masses and seen from a moving frame: a tolerance is a plain number, so
+// the steps are the same.
+
+struct Units {
+  double length, time, mass, frame;  // in m, s, kg; the frame's speed in m/s
+};
+
+struct Breathed {
+  Outcome outcome;
+  State state;  // in units of its length and time
+  double distance = 0.0;
+};
+
+template <class S, class C>
+Breathed breathe(const Units& in, S scheme, C control) {
+  const double force = in.mass * in.length / (in.time * in.time);
+  kinematics::Particles start = pair_at_rest(in.mass, in.mass, in.length);
+  start.velocity.col(1).setConstant(in.frame);
+  NearFieldScene scene(start, {},
+                       {.alpha1 = force * std::pow(in.length, 2),
+                        .alpha2 = 0.05 * force * std::pow(in.length, 3),
+                        .beta1 = 2.0,
+                        .beta2 = 3.0,
+                        .scaling = laws::Scaling::pair});
+  Breathed made{.outcome = {}, .state = scenes::start(scene)};
+  made.outcome = integrate(scene, made.state, 5.3 * in.time, scheme, control);
+  made.distance = distance_of_pair(made.state) / in.length;
+  made.state.r /= in.length;
+  made.state.v /= in.length / in.time;
+  return made;
+}
+
+std::string counts_of(const Outcome& o) {
+  return fmt::format("{} {} {} {}", o.steps, o.rejections, o.sweeps, o.evaluations);
+}
+
+template <class S, class C>
+void compare_units(Rows& rows, const std::string& method, double off, const S& scheme, const C& control_of) {
+  const Units plain{.length = 1.0, .time = 1.0, .mass = 1.0, .frame = 0.0};
+  const Breathed in_metres = breathe(plain, scheme, control_of(plain));
+  const kinematics::Breathing exact(kinematics::breathing_pair(1.0, 0.05, 1.0, 1.0), 1.0);
+  rows.compare(
+      "distance over its first, " + method,
+      {.expected = exact.at(5.3).r,
+       .computed = in_metres.distance,
+       .tolerance = absolute(off),
+       .because =
+           "hundreds of steps within TOL = 1e-6, or by Phi_K of 1e-3 s, whose errors the near passage amplifies"});
+  double worst = 0.0;
+  for (const Units& units :
+       {Units{0x1p-20, 1.0, 1.0, 0.0}, Units{0x1p-10, 0x1p-15, 0x1p-60, 0.0}, Units{0x1p30, 0x1p40, 0x1p80, 0.0}}) {
+    const Breathed scaled = breathe(units, scheme, control_of(units));
+    rows.equal(fmt::format("steps, refusals, sweeps, right-hand sides in units of {:.3g} m, {:.3g} s, {:.3g} kg, {}",
+                           units.length, units.time, units.mass, method),
+               {.expected = counts_of(in_metres.outcome),
+                .computed = counts_of(scaled.outcome),
+                .because = "the same problem in other units"});
+    keep_worst(worst, (flat(scaled.state) - flat(in_metres.state)).lpNorm<Eigen::Infinity>());
+  }
+  rows.at_most("largest difference of the states in these units, " + method,
+               {.limit = 0.0, .computed = worst, .because = "powers of two change no digit"});
+  const Units moving{.length = 1.0, .time = 1.0, .mass = 1.0, .frame = 2e4};
+  rows.compare("distance over its first, in a frame at 2e4 m/s, " + method,
+               {.expected = in_metres.distance,
+                .computed = breathe(moving, scheme, control_of(moving)).distance,
+                .tolerance = absolute(2.0 * off),
+                .because = "steps differ by what rounding of places of 1e5 m makes of the sweeps, 1e-11; the error is "
+                           "that of the pair at rest"});
+}
+
+const Case tolerances_have_no_unit{
+    {.name = "tolerances_have_no_unit",
+     .claim = "a run under adaptive control takes the same steps whatever the units, and errs as little in a moving "
+              "frame as at rest",
+     .equation = "R 3.4",
+     .reference = Reference::closed_form},
+    [](Rows& rows) {
+      const auto by_errors = [](const Units&) { return ErrorControl{.TOL = 1e-6}; };
+      const auto by_sweeps = [](const Units& in) { return PhiControl{.TOL = 1e-6, .limit = 1e-3 * in.time}; };
+      compare_units(rows, "Gauss 3", 1e-5, Collocation<Gauss<3>>(), by_errors);
+      compare_units(rows, "Radau 3, Newton", 1e-3, Collocation<Radau<3>, Newton<>>(), by_errors);
+      compare_units(rows, "RK4", 1e-4, RungeKutta4(), by_errors);
+      compare_units(rows, "velocity Verlet", 1e-4, VelocityVerlet(), by_errors);
+      compare_units(rows, "phi = 1/2, Phi_K control", 2e-3, PhiFamily<>(0.5), by_sweeps);
+    }};
+
 // RK4 and Verlet under error control, on an orbit whose near passage asks for steps a tenth of those elsewhere.
 
 // A body around a fixed centre, r'' = -r/|r|^3, from its farthest point: after one period it is back there.
