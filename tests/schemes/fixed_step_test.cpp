@@ -1,6 +1,11 @@
 #include <particulate/schemes/fixed_step.hpp>
 
+#include <particulate/schemes/phi_family.hpp>
+#include <particulate/schemes/runge_kutta.hpp>
+
 #include "close.hpp"
+#include "problems.hpp"
+#include "says.hpp"
 
 namespace tests::fixed_step_test {
 
@@ -44,6 +49,13 @@ BOOST_AUTO_TEST_CASE(says_why_it_cannot_go_on_without_a_value) {
   BOOST_TEST(!decision.accepted);
   BOOST_TEST(contains(decision.impossible, "no finite value within this step of 0.0625 s"));
   BOOST_TEST(contains(decision.impossible, "choose a smaller step"));
+}
+
+BOOST_AUTO_TEST_CASE(is_refused_with_a_tolerance_that_would_bound_nothing) {
+  State spring{.r = Eigen::VectorXd::Ones(1), .v = Eigen::VectorXd::Zero(1)};
+  CHECK_REFUSED(run(Spring{}, spring, 1.0, RungeKutta4(), FixedStep{.step = 0.125, .TOL = 1e-6}),
+                "run: a TOL bounds what the sweeps of a step leave, and this scheme makes none");
+  BOOST_TEST((run(Spring{}, spring, 1.0, PhiFamily<>(), FixedStep{.step = 0.125, .TOL = 1e-6}).reason == ""));
 }
 
 BOOST_AUTO_TEST_SUITE_END()
