@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include <particulate/schemes/scales.hpp>
+
 namespace particulate::schemes {
 
 namespace {
 
 constexpr double share = 0.01;
-
-double largest(In x) { return x.size() > 0 ? x.lpNorm<Eigen::Infinity>() : 0.0; }
 
 // The shortest of some times.
 class Shortest {

@@ -14,13 +14,13 @@ namespace {
 // NaN is the worst.
 double worse(double a, double b) { return b >= a || std::isnan(b) ? b : a; }
 
+}  // namespace
+
 double largest(const Eigen::VectorXd& x) {
   double most = 0.0;
   for (const double one : x) most = worse(most, std::abs(one));
   return most;
 }
-
-}  // namespace
 
 void validate(std::string_view whose, const Sizes& sizes) {
   const auto require = [&](const char* what, double given) {

@@ -14,6 +14,9 @@
 
 namespace particulate::schemes {
 
+/// @param x  numbers @return the largest of their absolute values; NaN if one of them is, 0 of none
+double largest(const Eigen::VectorXd& x);
+
 /// Sizes that a caller gives. What is left out follows from the motion itself: see ErrorScales.
 struct Sizes {
   std::optional<double> size = {};   ///< errors of values and places count relative above it, > 0 [their unit]
