@@ -1,7 +1,6 @@
 #include <particulate/laws/near_field.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -173,11 +172,10 @@ bool add_force(const NearField& law, const kinematics::Space& space, const At<>&
   const auto add_those_that_feel = [&] { return add_force<kinematics::Space>(law, space, at, force); };
   if (N <= detail::few) {
     // By the baseline, so that a small scene has the same bits whatever the processor.
-    std::array<double, 3 * detail::few> before;
-    std::copy_n(f_x, 3 * N, before.begin());
+    const Eigen::Matrix<double, Eigen::Dynamic, 3, 0, detail::few, 3> before = force;
     const detail::Columns in_place{r, r + N, r + 2 * N, charge, f_x, f_y, f_z, f_x, f_y, f_z};
     if (detail::add_pairs_baseline(pair, in_place, N)) return force.allFinite();
-    std::copy_n(before.begin(), 3 * N, f_x);
+    force = before;
     return add_those_that_feel();
   }
   const detail::AddPairs add_pairs = built(law.kernel == Kernel::best ? best_kernel() : law.kernel);

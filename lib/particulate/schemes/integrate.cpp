@@ -206,7 +206,7 @@ class Run {
       last_ = std::move(decision);
       return true;
     }
-    last_ = {};
+    if (!last_.refusal.empty()) last_ = {};
     return accept();
   }
 

@@ -79,7 +79,7 @@ void PartMeasures::begin_as_one() {
 void PartMeasures::normalize_motion(const Problem& problem, const State& from, double dt, const Eigen::VectorXd& after,
                                     double scale) {
   const bool by_speed = problem.traits().velocities;
-  zero_.setZero(from.r.size());
+  if (zero_.size() != from.r.size()) zero_.setZero(from.r.size());
   const double size = scale * problem.distance(by_speed ? from.v : from.r, zero_);
   if (problem.has_scales()) {
     problem.common_motion(from.v, drifted_);

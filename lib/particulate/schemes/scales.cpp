@@ -16,11 +16,7 @@ double worse(double a, double b) { return b >= a || std::isnan(b) ? b : a; }
 
 }  // namespace
 
-double largest(const Eigen::VectorXd& x) {
-  double most = 0.0;
-  for (const double one : x) most = worse(most, std::abs(one));
-  return most;
-}
+double largest(const Eigen::VectorXd& x) { return x.size() > 0 ? x.cwiseAbs().maxCoeff<Eigen::PropagateNaN>() : 0.0; }
 
 void validate(std::string_view whose, const Sizes& sizes) {
   const auto require = [&](const char* what, double given) {
