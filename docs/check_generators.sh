@@ -129,6 +129,10 @@ rm data/unfinished.txt
 "$docs/draw.sh" line.gp "$work/figures" "data=$work/data"
 holds figures/ch01_line.svg 'prefers-color-scheme:dark' '</svg>'
 lacks figures/ch01_line.svg 'fill="#ffffff"'
+printf 'load style\nset output "discs.svg"\nset xrange [0:4]\nset yrange [0:4]\nplot "-" using 1:2:3:4 with circles fs solid 1 border rgb "black" lc palette\n1,1,0.1,5\n2,1,0.1,7\n3,3,0.9,7\ne\n' >discs.gp
+"$docs/draw.sh" discs.gp "$work/figures"
+holds figures/discs.svg "fill='none' stroke='black'/>" '<polygon fill' '</svg>'
+[ "$(grep -c '<circle cx' figures/discs.svg)" = 6 ] || complain 'svgtheme.awk must make circles of what is round'
 printf 'load style\nset output "a.svg"\nplot data."/nosuch.csv" using 1:2\n' >bad.gp
 refuses 1 'gnuplot complains' "$docs/draw.sh" bad.gp "$work/bad" "data=$work/data"
 printf 'load style\n' >bad.gp
