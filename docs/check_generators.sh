@@ -63,10 +63,46 @@ holds ch01_a_onward.html '<a href="ch01_c.html">C</a>' 'assignment_ch01.html' 'v
 lacks ch01_b_onward.html Next
 sed -i 2d ch01_b.cpp
 refuses 2 'ch01_b has no @brief' chapters ch01_*.cpp chapters.md.in
-mkdir -p ch01_a/assignment
+
+# --- page.awk --------------------------------------------------------------------------------------------------------
+page() { awk -f "$docs/page.awk" "$@"; }
+mkdir -p docs ch01_a/assignment
+touch docs/map.md docs/references.bib ch01_a/ch01_a.cpp
 printf '%s\n' '# Do it' 'See [the chapter](../ch01_a.cpp).' >ch01_a/assignment/README.md
-awk -f "$docs/brief.awk" ch01_a/assignment/README.md >brief.out
-printf '%s\n' '# Do it {#assignment_ch01}' 'See @ref ch01_a.' | diff - brief.out || complain 'brief.awk must make a page of a brief'
+page ch01_a/assignment/README.md >page.out
+printf '%s\n' '# Do it {#assignment_ch01}' 'See [the chapter](@ref ch01_a).' | diff - page.out || complain 'page.awk must make a page of a brief'
+cat >docs/a_page.md <<'M'
+# A page
+<!-- @tableofcontents -->
+## Part 1. Its name
+- [Map](map.md): [b](../ch01_a/ch01_a.cpp#ch01_b), [brief](../ch01_a/assignment/README.md), [key](references.bib),
+  [far](https://example.org/#x) `laws::At<>` and `State{.a,
+  .b}`, `verify_ch01_orders` <!-- @ref c --> $`\alpha`$ `@table{a_<b>}` costs $2
+```
+@ref `laws::At<>` [no link](nosuch.md)
+```
+M
+cat >expected <<'M'
+# A page {#a_page}
+@tableofcontents
+## Part 1. Its name {#a_page_part_1}
+- @subpage map "Map": [b](@ref ch01_b), [brief](@ref assignment_ch01), @cite key,
+  [far](https://example.org/#x) @ref particulate::laws::At "At<>" and `State{.a,
+  .b}`, @ref verify_ch01_orders "orders" @ref c \f$ \alpha \f$ <code>\@table{a_\<b\>}</code> costs $2
+```
+@ref `laws::At<>` [no link](nosuch.md)
+```
+M
+page docs/a_page.md | diff expected - || complain 'page.awk must turn plain Markdown into what Doxygen reads, line for line'
+[ -z "$(page -v check=1 docs/a_page.md)" ] || complain 'page.awk must print nothing where it only checks'
+for bad in '@ref map' '# A page {#page}' 'a \f$ b \f$' 'so (@cite key)' '| @subpage map |'; do
+  printf '%s\n' '# A page' "$bad" >docs/bad.md
+  refuses 2 'docs/bad.md:2: page: a code host would show this raw' page -v check=1 docs/bad.md
+done
+printf '%s\n' '# A page' '[there](nosuch.md#label)' >docs/bad.md
+refuses 2 'a link to a file that is not there: nosuch.md#label' page -v check=1 docs/bad.md
+printf '%s\n' 'See [the' 'map](map.md).' >docs/bad.md
+refuses 2 'docs/bad.md:2: page: Doxygen loses its way in a link over two lines' page -v check=1 docs/bad.md
 
 # --- equations.awk ---------------------------------------------------------------------------------------------------
 equations() { awk -f "$docs/equations.awk" "$@"; }
@@ -105,7 +141,7 @@ cat >expected <<'H'
 | R section 2.4.2 | restitution | @ref particulate::topic::Law::e "topic::Law::e" |
 H
 diff expected index || complain 'equations.awk must list six equations, equations before sections, in the order of their numbers'
-holds page '## Chapter 2 {#equations_2}' 'The program: @ref ch01_fundamentals.' '@ref map_2 "map"'
+holds page '## Chapter 2 {#equations_2}' 'The program: @ref ch01_fundamentals.' '@ref map_chapter_2 "map"'
 equations -v filter=1 lib/particulate/topic/laws.hpp >filtered
 holds filtered '/// @equation_row{M (2.15),stated in the monograph} And why.' '@equation_row{M about (2.3),stated'
 [ "$(wc -l <filtered)" = "$(wc -l <lib/particulate/topic/laws.hpp)" ] || complain 'the filter must keep the lines'

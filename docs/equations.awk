@@ -208,7 +208,7 @@ function heading(chapter, number, list, n, k, program) {
   n = split(chapters, list, " ")
   for (k = 1; k <= n; ++k) if (index(list[k], number) == 1) program = sprintf("The program: @ref %s. ", list[k])
   printf "\n## %s %s {#equations_%s}\n\n", chapter ~ /[AB]/ ? "Appendix" : "Chapter", chapter, chapter
-  printf "%sAll of its sections: @ref map_%s \"map\".\n\n", program, chapter
+  printf "%sAll of its sections: @ref map_%s_%s \"map\".\n\n", program, chapter ~ /[AB]/ ? "appendix" : "chapter", tolower(chapter)
   print "| Number | Formula | Where |\n| :--- | :--- | :--- |"
 }
 
