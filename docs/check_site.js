@@ -82,6 +82,41 @@ function restarted(page) {
   return [...page.querySelectorAll('ol')].filter(again).map(list => `a list begins again at 1: ${named(list)}`);
 }
 
+// Where the words of an element begin: the first line of its first text.
+function first_words(page, element) {
+  const walker = page.createTreeWalker(element, NodeFilter.SHOW_TEXT), range = page.createRange();
+  while (walker.nextNode()) {
+    if (!walker.currentNode.data.trim() || !is_shown(walker.currentNode.parentElement)) continue;
+    range.selectNodeContents(walker.currentNode);
+    return range.getClientRects()[0];
+  }
+}
+
+// Cells of a row and columns of a list that do not begin on one line, and heads of a table with no gap between them.
+// Cells with formulas are as high as these.
+function uneven(page) {
+  const faults = [];
+  const apart = (what, boxes, slack) => {
+    const ends = boxes.filter(box => box).map(box => (box.top + box.bottom) / 2);
+    const off = Math.max(...ends) - Math.min(...ends);
+    if (off > slack) faults.push(`${off.toFixed(0)} px out of line: ${named(what)}`);
+  };
+  for (const row of page.querySelectorAll('table tr')) {
+    const cells = [...row.children].map(cell => first_words(page, cell));
+    const is_text = row.matches('.markdownTable tr, .doxtable tr') && !row.querySelector('svg, img');
+    if (is_text) apart(row, cells, 2);
+    for (let i = 1; row.querySelector('th') && i < cells.length; ++i) {
+      const runs_on = cells[i - 1] && cells[i] && cells[i].left < cells[i - 1].right + 5;
+      if (runs_on) faults.push(`heads run together: ${named(row.children[i])}`);
+    }
+  }
+  for (const list of page.querySelectorAll('div.toc > ul')) {
+    const boxes = [...list.querySelectorAll('li')].map(item => first_words(page, item));
+    apart(list, boxes.filter((box, i) => i === 0 || box.top < boxes[i - 1].top), 2);
+  }
+  return faults;
+}
+
 // Letters of figures that lie on one another, beyond the frame, or are too small to read.
 function unreadable(page) {
   const faults = [];
@@ -132,7 +167,7 @@ async function look_at(name) {
     frame.style.width = width + 'px';
     frame.style.height = page.documentElement.scrollHeight + 100 + 'px';
     await new Promise(done => setTimeout(done, 50));
-    const faults = [...cut_off(page, width), ...covered(page), ...unreadable(page)];
+    const faults = [...cut_off(page, width), ...covered(page), ...uneven(page), ...unreadable(page)];
     found.push(...faults.map(fault => `at ${width} px ${fault}`));
   }
   const bytes = new TextEncoder().encode(page.documentElement.outerHTML);

@@ -6,7 +6,7 @@
 # library, 60 at most.
 # Found: formulas not typeset or in error, references to no formula, dead links, anchors, images and objects, anything
 # loaded from beyond the disk, commands that nobody expanded; and, in windows 420 and 1280 px wide, pages that scroll
-# sideways, what is cut off or covered, figures that cannot be read, lists that begin again (check_site.js).
+# sideways, what is cut off, covered or out of line, figures that cannot be read, lists that begin again (check_site.js).
 # Exit status: 0 nothing found, 1 something found, 2 the check could not be made.
 set -euo pipefail
 
@@ -224,6 +224,9 @@ SVG
     'of div#folded' '<details><summary>more</summary><div id="folded" style="overflow: hidden; width: 9em; white-space: nowrap">only the beginning of this</div></details>' \
     "planted.svg: 'upon' lies on 'under'" '<object type="image/svg+xml" data="planted.svg"></object>' \
     "planted.svg: cut off, 'beyond'" '' 'planted.svg: letters of' '' \
+    'px out of line: tr' '<table class="markdownTable"><tr><td>a row</td><td><span style="position: relative; top: 5px">low</span></td></tr></table>' \
+    "heads run together: th 'joined'" '<table class="markdownTable"><tr><th style="padding: 0">heads</th><th style="padding: 0">joined</th></tr></table>' \
+    'px out of line: ul' '<div class="toc"><ul><li style="margin-top: 12px">one</li><li>two</li><li>three</li><li>four</li></ul></div>' \
     'a list begins again at 1' '<ol><li>one</li></ol><pre>x</pre><ol><li>two</li></ol>' \
     'meant to be read: @ref nosuch' '@ref nosuch "such"' \
     'meant to be read: <code>@htmlinclude' '<code>@htmlinclude x.html</code>'
