@@ -41,7 +41,7 @@ function visit(page, below, k, m) {
 function write_list(page, k, chapter, line) {
   for (k = 1; k <= visited; ++k) {
     page = order[k]; chapter = chapter_of(page)
-    line = (page in parent ? "  - @ref " : "- @subpage ") page " : " brief[page]
+    line = (page in parent ? "  - @ref " : "- @subpage ") page " \"" title[page] "\": " brief[page]
     if (!(page in parent) && has(verified, chapter)) line = line " What it claims is @ref verify_" chapter " \"verified\"."
     if (!(page in parent) && has(briefs, chapter)) line = line " Its @ref assignment_" chapter " \"assignment\" grades itself."
     print line > list

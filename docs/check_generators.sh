@@ -54,8 +54,8 @@ printf '//! %s\n' '@page ch01_a A' '@brief The first.' 'See @subpage ch01_c, @su
 printf '//! %s\n' '@page ch01_c C' '@brief The third.' >ch01_c.cpp
 printf '%s\n' before '@chapter_list@' after >chapters.md.in
 chapters ch01_*.cpp chapters.md.in
-printf '%s\n' before '- @subpage ch01_a : The first. What it claims is @ref verify_ch01 "verified". Its @ref assignment_ch01 "assignment" grades itself.' \
-  '  - @ref ch01_c : The third.' '  - @ref ch01_b : The second.' after | diff - chapters.md ||
+printf '%s\n' before '- @subpage ch01_a "A": The first. What it claims is @ref verify_ch01 "verified". Its @ref assignment_ch01 "assignment" grades itself.' \
+  '  - @ref ch01_c "C": The third.' '  - @ref ch01_b "B": The second.' after | diff - chapters.md ||
   complain 'chapters.awk must list pages in the order in which they name one another'
 holds gallery.html '<a href="ch01_a.html#s"><img src="ch01_f.svg"' 'One, two &lt; three.'
 lacks gallery.html ch01_g

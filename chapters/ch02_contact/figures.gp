@@ -69,25 +69,28 @@ plot file('limits') skip 1 using 2:(angle(60)) with lines lt 3 title '60 degrees
 set terminal svg size 640,560 dynamic enhanced font 'sans-serif,16' background '#ffffff' rounded
 set output 'ch02_severity.svg'
 set multiplot layout 2,1
+set lmargin 9
 set autoscale x
 set xlabel ''
 set ylabel 'restitution e'
 set yrange [0:*]
 set offsets 0, 0, 0.08, 0
-set key inside top right vertical maxcols 1
+set key outside top center horizontal maxcols 2
 plot file('severity') skip 1 using 1:3 with lines lt 2 title 'constant', \
      '' skip 1 using 1:2 with lines lt 1 title 'falling to a floor'
 set xlabel 'approach speed [m/s]'
 unset offsets
 set ylabel 'parting speed [m/s]'
-set key top left
-plot file('severity') skip 1 using 1:5 with lines lt 2 title 'constant', \
-     '' skip 1 using 1:4 with lines lt 1 title 'falling to a floor'
+unset key
+plot file('severity') skip 1 using 1:5 with lines lt 2, \
+     '' skip 1 using 1:4 with lines lt 1
+set lmargin -1
 unset multiplot
 set terminal svg size 640,620 dynamic enhanced font 'sans-serif,16' background '#ffffff' rounded
 
 set output 'ch02_ledger.svg'
 set multiplot
+set key bottom left reverse Left samplen 2 spacing 1.15 noopaque nobox
 set lmargin 9
 set autoscale
 set xlabel ''
