@@ -73,7 +73,7 @@ Added forces(const NearField& law, const D& domain, const Cloud& cloud) {
   return {force, has_value};
 }
 
-long double charge(const NearField& law, const Cloud& cloud, Eigen::Index i) {
+long double factor(const NearField& law, const Cloud& cloud, Eigen::Index i) {
   switch (law.scaling) {
     case Scaling::mass:
       return cloud.mass[i];
@@ -106,7 +106,7 @@ Plain plain_double_loop(const NearField& law, const Cloud& cloud) {
         n[k] = static_cast<long double>(cloud.position(j, c)) - cloud.position(i, c);
         square += n[k] * n[k];
       }
-      const long double d = std::sqrt(square), both = charge(law, cloud, i) * charge(law, cloud, j);
+      const long double d = std::sqrt(square), both = factor(law, cloud, i) * factor(law, cloud, j);
       const long double attraction = both * law.alpha1 * std::pow(d, -static_cast<long double>(law.beta1));
       const long double repulsion = both * law.alpha2 * std::pow(d, -static_cast<long double>(law.beta2));
       for (std::size_t k = 0; k < 3; ++k) sum[k] += (attraction - repulsion) * n[k] / d;
@@ -265,7 +265,7 @@ BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE(pair_law_)
 
-BOOST_AUTO_TEST_CASE(multiplies_both_strengths_by_both_charges) {
+BOOST_AUTO_TEST_CASE(multiplies_both_strengths_by_both_scaling_factors) {
   const CentralForce law = pair_law({.alpha1 = 0.5, .alpha2 = 0.25, .beta1 = 3.0, .beta2 = 5.0}, 2.0, 8.0);
   BOOST_TEST(law.alpha1 == 8.0);
   BOOST_TEST(law.alpha2 == 4.0);
@@ -275,18 +275,19 @@ BOOST_AUTO_TEST_CASE(multiplies_both_strengths_by_both_charges) {
 
 BOOST_AUTO_TEST_SUITE_END()
 
-BOOST_AUTO_TEST_SUITE(charges_)
+BOOST_AUTO_TEST_SUITE(scaling_factors_)
 
 // 4 pi (1/2)^2 = pi.
 BOOST_AUTO_TEST_CASE(are_masses_surfaces_or_one) {
   const Cloud pair = pair_at(1.0);
-  BOOST_TEST(close(charges({.scaling = Scaling::mass}, pair.places()), Eigen::Vector2d(2.0, 3.0), {}));
-  BOOST_TEST(close(charges({.scaling = Scaling::area}, pair.places()), Eigen::Vector2d(pi, pi), {.relative = eps}));
-  BOOST_TEST(close(charges({.scaling = Scaling::pair}, pair.places()), Eigen::Vector2d(1.0, 1.0), {}));
+  BOOST_TEST(close(scaling_factors({.scaling = Scaling::mass}, pair.places()), Eigen::Vector2d(2.0, 3.0), {}));
+  BOOST_TEST(
+      close(scaling_factors({.scaling = Scaling::area}, pair.places()), Eigen::Vector2d(pi, pi), {.relative = eps}));
+  BOOST_TEST(close(scaling_factors({.scaling = Scaling::pair}, pair.places()), Eigen::Vector2d(1.0, 1.0), {}));
 }
 
 BOOST_AUTO_TEST_CASE(refuse_a_scaling_that_is_none) {
-  CHECK_REFUSED(charges({.scaling = static_cast<Scaling>(7)}, pair_at(1.0).places()),
+  CHECK_REFUSED(scaling_factors({.scaling = static_cast<Scaling>(7)}, pair_at(1.0).places()),
                 "scaling must be mass, area or pair");
 }
 
@@ -456,7 +457,7 @@ BOOST_AUTO_TEST_CASE(does_not_mind_coincident_particles_that_feel_nothing_of_eac
     fixed.position.row(2) = fixed.position.row(1), points.position.row(2) = points.position.row(1);
     fixed.inverse_mass[1] = fixed.inverse_mass[2] = 0.0;
     points.radius[1] = points.radius[2] = 0.0;
-    Cloud once = fixed;  // one of twice the charge in their place, the other too far to be felt
+    Cloud once = fixed;  // one of twice the mass in their place, the other too far to be felt
     once.mass[1] *= 2.0, once.mass[2] = 0.0, once.position(2, 0) = 1e9;
     fixed.mass[2] = fixed.mass[1];
     for (const Kernel kernel : kernels()) {

@@ -31,7 +31,7 @@ struct Expected {
   long double energy = 0.0L, energy_size = 0.0L;
 };
 
-long double charge(const laws::NearField& law, const kinematics::Particles& of, Eigen::Index i) {
+long double factor(const laws::NearField& law, const kinematics::Particles& of, Eigen::Index i) {
   const long double b = of.radius[i];
   switch (law.scaling) {
     case laws::Scaling::mass:
@@ -54,14 +54,14 @@ void add_pair(Expected& sum, const laws::NearField& law, const kinematics::Parti
   const Eigen::Matrix<long double, 1, 3> r_i = of.position.row(i).cast<long double>();
   const Eigen::Matrix<long double, 1, 3> r_j = of.position.row(j).cast<long double>();
   const long double d = (r_j - r_i).norm();
-  const long double charges = charge(law, of, i) * charge(law, of, j);
-  const long double attraction = law.alpha1 * charges * std::pow(d, -static_cast<long double>(law.beta1));
-  const long double repulsion = law.alpha2 * charges * std::pow(d, -static_cast<long double>(law.beta2));
+  const long double factors = factor(law, of, i) * factor(law, of, j);
+  const long double attraction = law.alpha1 * factors * std::pow(d, -static_cast<long double>(law.beta1));
+  const long double repulsion = law.alpha2 * factors * std::pow(d, -static_cast<long double>(law.beta2));
   sum.force.row(i) += (attraction - repulsion) * (r_j - r_i) / d;
   sum.size[i] += attraction + repulsion;
   if (i > j) return;
-  const long double gain = law.alpha1 * charges * integral(law.beta1, d, law.d_ref);
-  const long double loss = law.alpha2 * charges * integral(law.beta2, d, law.d_ref);
+  const long double gain = law.alpha1 * factors * integral(law.beta1, d, law.d_ref);
+  const long double loss = law.alpha2 * factors * integral(law.beta2, d, law.d_ref);
   sum.energy += gain - loss;
   sum.energy_size += std::abs(gain) + std::abs(loss);
 }

@@ -56,18 +56,18 @@ std::string refusal(Kernel kernel) {
 static_assert(detail::padded_to == Scratch::line);
 
 // The columns of a scene's scratch, filled.
-detail::Columns filled(Scratch& scratch, const double* position, const double* charge, Eigen::Index N) {
+detail::Columns filled(Scratch& scratch, const double* position, const double* factor, Eigen::Index N) {
   double* const first = scratch.columns(10, N);
   const std::size_t stride = Scratch::stride(N);
   const auto column = [&](std::size_t k) { return first + k * stride; };
   for (std::size_t axis = 0; axis < 3; ++axis) {
     std::copy_n(position + static_cast<Eigen::Index>(axis) * N, N, column(axis));
   }
-  std::copy_n(charge, N, column(3));
+  std::copy_n(factor, N, column(3));
   return {.x = column(0),
           .y = column(1),
           .z = column(2),
-          .charge = column(3),
+          .factor = column(3),
           .action_x = column(4),
           .action_y = column(5),
           .action_z = column(6),
@@ -125,14 +125,14 @@ void validate(const NearField& law) {
   if (!is_available(law.kernel)) throw std::invalid_argument(refusal(law.kernel));
 }
 
-kinematics::CentralForce pair_law(const NearField& law, double charge_i, double charge_j) {
-  return {.alpha1 = law.alpha1 * charge_i * charge_j,
-          .alpha2 = law.alpha2 * charge_i * charge_j,
+kinematics::CentralForce pair_law(const NearField& law, double factor_i, double factor_j) {
+  return {.alpha1 = law.alpha1 * factor_i * factor_j,
+          .alpha2 = law.alpha2 * factor_i * factor_j,
           .beta1 = law.beta1,
           .beta2 = law.beta2};
 }
 
-Eigen::VectorXd charges(const NearField& law, const At<>& at) {
+Eigen::VectorXd scaling_factors(const NearField& law, const At<>& at) {
   switch (law.scaling) {
     case Scaling::mass:
       return at.mass;
@@ -146,11 +146,11 @@ Eigen::VectorXd charges(const NearField& law, const At<>& at) {
 
 std::string why_no_force(const NearField& law, const At<>& at,
                          const std::function<double(Eigen::Index, Eigen::Index)>& apart) {
-  const Eigen::VectorXd charge = charges(law, at);
+  const Eigen::VectorXd factor = scaling_factors(law, at);
   for (Eigen::Index i = 0; i < at.mass.size(); ++i) {
     for (Eigen::Index j = i + 1; j < at.mass.size(); ++j) {
       const double d = apart(i, j);
-      if (is_full(d * d) || !feels(law, at, charge, i, j)) continue;
+      if (is_full(d * d) || !feels(law, at, factor, i, j)) continue;
       return fmt::format(
           "near field: particles {} and {} must be some 1.5e-154 to 1.3e154 m apart, but are {} m apart: place them "
           "otherwise, or let a contact keep them apart",
@@ -164,8 +164,8 @@ bool add_force(const NearField& law, const kinematics::Space& space, const At<>&
   if (!is_available(law.kernel)) throw std::invalid_argument(refusal(law.kernel));
   const detail::PairForce pair{.alpha1 = law.alpha1, .alpha2 = law.alpha2, .beta1 = law.beta1, .beta2 = law.beta2};
   const Eigen::Index N = at.mass.size();
-  const Eigen::VectorXd other = law.scaling == Scaling::mass ? Eigen::VectorXd() : charges(law, at);
-  const double* const charge = law.scaling == Scaling::mass ? at.mass.data() : other.data();  // masses are not copied
+  const Eigen::VectorXd other = law.scaling == Scaling::mass ? Eigen::VectorXd() : scaling_factors(law, at);
+  const double* const factor = law.scaling == Scaling::mass ? at.mass.data() : other.data();  // masses are not copied
   const double* const r = at.position.data();
   double *const f_x = force.data(), *const f_y = f_x + N, *const f_z = f_y + N;
   // Some pair may have no force, which matters only if it feels one.
@@ -173,13 +173,13 @@ bool add_force(const NearField& law, const kinematics::Space& space, const At<>&
   if (N <= detail::few) {
     // By the baseline, so that a small scene has the same bits whatever the processor.
     const Eigen::Matrix<double, Eigen::Dynamic, 3, 0, detail::few, 3> before = force;
-    const detail::Columns in_place{r, r + N, r + 2 * N, charge, f_x, f_y, f_z, f_x, f_y, f_z};
+    const detail::Columns in_place{r, r + N, r + 2 * N, factor, f_x, f_y, f_z, f_x, f_y, f_z};
     if (detail::add_pairs_baseline(pair, in_place, N)) return force.allFinite();
     force = before;
     return add_those_that_feel();
   }
   const detail::AddPairs add_pairs = built(law.kernel == Kernel::best ? best_kernel() : law.kernel);
-  const detail::Columns c = filled(at.scratch, r, charge, N);
+  const detail::Columns c = filled(at.scratch, r, factor, N);
   if (!add_pairs(pair, c, N)) return add_those_that_feel();
   return add_component(c.action_x, c.reaction_x, N, f_x) && add_component(c.action_y, c.reaction_y, N, f_y) &&
          add_component(c.action_z, c.reaction_z, N, f_z);

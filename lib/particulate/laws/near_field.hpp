@@ -70,17 +70,17 @@ void validate(const NearField& law);
 ///
 /// @equation{M 2.3}
 /// @param law       the near field
-/// @param charge_i  what scales particle i: m_i [kg], 4 pi b_i^2 [m^2] or 1, as law.scaling says
-/// @param charge_j  the same of particle j
+/// @param factor_i  what scales particle i: m_i [kg], 4 pi b_i^2 [m^2] or 1, as law.scaling says
+/// @param factor_j  the same of particle j
 /// @return constants of the pair
-kinematics::CentralForce pair_law(const NearField& law, double charge_i, double charge_j);
+kinematics::CentralForce pair_law(const NearField& law, double factor_i, double factor_j);
 
 /// What scales each particle's near field.
 ///
 /// @param law  the near field
 /// @param at   the particles
 /// @return m_i, 4 pi b_i^2 or 1, N entries
-Eigen::VectorXd charges(const NearField& law, const At<>& at);
+Eigen::VectorXd scaling_factors(const NearField& law, const At<>& at);
 
 /// Whether a squared distance is held to full precision: not below the smallest normal number, and not infinite.
 ///
@@ -94,12 +94,12 @@ inline bool is_full(double square) {
 ///
 /// @param law     the near field
 /// @param at      the particles
-/// @param charge  charges()
+/// @param factor  scaling_factors()
 /// @param i       one particle
 /// @param j       the other
 /// @return false: it does not matter where they are
-inline bool feels(const NearField& law, const At<>& at, const Eigen::VectorXd& charge, Eigen::Index i, Eigen::Index j) {
-  const kinematics::CentralForce pair = pair_law(law, charge[i], charge[j]);
+inline bool feels(const NearField& law, const At<>& at, const Eigen::VectorXd& factor, Eigen::Index i, Eigen::Index j) {
+  const kinematics::CentralForce pair = pair_law(law, factor[i], factor[j]);
   return (pair.alpha1 > 0.0 || pair.alpha2 > 0.0) && (at.inverse_mass[i] > 0.0 || at.inverse_mass[j] > 0.0);
 }
 
@@ -131,17 +131,17 @@ bool add_force(const NearField& law, const kinematics::Space&, const At<>& at, F
 ///         force is too large for a double; the forces are then meaningless
 template <kinematics::Domain D>
 bool add_force(const NearField& law, const D& domain, const At<>& at, Forces force) {
-  const Eigen::VectorXd charge = charges(law, at);
+  const Eigen::VectorXd factor = scaling_factors(law, at);
   for (Eigen::Index i = 0; i < at.mass.size(); ++i) {
     for (Eigen::Index j = i + 1; j < at.mass.size(); ++j) {
       const Eigen::Vector3d towards = separation(domain, at.position.row(i), at.position.row(j));
       const double square = towards.squaredNorm();
       if (!is_full(square)) {
-        if (feels(law, at, charge, i, j)) return false;
+        if (feels(law, at, factor, i, j)) return false;
         continue;
       }
       const double d = std::sqrt(square);
-      const double over_d = strength(pair_law(law, charge[i], charge[j]), d) / d;
+      const double over_d = strength(pair_law(law, factor[i], factor[j]), d) / d;
       force.row(i) += over_d * towards.transpose();
       force.row(j) -= over_d * towards.transpose();
     }
@@ -181,13 +181,13 @@ std::string why_no_force(const NearField& law, const D& domain, const At<>& at) 
 ///         coincide [J]
 template <kinematics::Domain D>
 double potential_energy(const NearField& law, const D& domain, const At<>& at) {
-  const Eigen::VectorXd charge = charges(law, at);
+  const Eigen::VectorXd factor = scaling_factors(law, at);
   double sum = 0.0;
   for (Eigen::Index i = 0; i < at.mass.size(); ++i) {
     for (Eigen::Index j = i + 1; j < at.mass.size(); ++j) {
       const double d = kinematics::length(separation(domain, at.position.row(i), at.position.row(j)));
-      if (d == 0.0 && !feels(law, at, charge, i, j)) continue;
-      sum += potential(pair_law(law, charge[i], charge[j]), d, law.d_ref);
+      if (d == 0.0 && !feels(law, at, factor, i, j)) continue;
+      sum += potential(pair_law(law, factor[i], factor[j]), d, law.d_ref);
     }
   }
   return sum;

@@ -8,15 +8,16 @@
 
 namespace particulate::laws::detail {
 
-// Strengths and exponents of attraction and repulsion, before charges.
+// Strengths and exponents of attraction and repulsion, before scaling factors.
 struct PairForce {
   double alpha1, alpha2, beta1, beta2;
 };
 
-// At<> and charges of N particles, and where their forces go: a particle's action is the force that the particles
-// behind it exert on it, its reactions are those to what the particles in front of it feel. They may be one column.
+// At<> and scaling factors of N particles, and where their forces go: a particle's action is the force that the
+// particles behind it exert on it, its reactions are those to what the particles in front of it feel. They may be one
+// column.
 struct Columns {
-  const double *x, *y, *z, *charge;
+  const double *x, *y, *z, *factor;
   double *action_x, *action_y, *action_z;
   double *reaction_x, *reaction_y, *reaction_z;
 };

@@ -154,15 +154,15 @@ struct Row {
 };
 
 Row row_of(const PairForce& law, const Columns& c, std::int64_t i) {
-  return {c.x[i], c.y[i], c.z[i], law.alpha1 * c.charge[i], law.alpha2 * c.charge[i]};
+  return {c.x[i], c.y[i], c.z[i], law.alpha1 * c.factor[i], law.alpha2 * c.factor[i]};
 }
 
 // Force on a row's particle over the distance, so that its product with r_j - r_i is the force.
 template <class Powers, class V>
-V force_over_distance(const Powers& powers, const Row& row, V charge, V square) {
+V force_over_distance(const Powers& powers, const Row& row, V factor, V square) {
   const V inverse = inverse_root(square);
   const V strength = row.alpha1 * powers.first(inverse) - row.alpha2 * powers.second(inverse);
-  return strength * (charge * inverse);
+  return strength * (factor * inverse);
 }
 
 // Smallest and largest square of a distance so far.
@@ -190,22 +190,22 @@ struct Sums {
 };
 
 // The rows from particle i on against the partners from j on. Where some are no pair, because j <= i or j >= N, they
-// are given distance 1 and no charge.
+// are given distance 1 and factor 0.
 template <bool some_are_no_pair, class Powers>
 void meet(const Powers& powers, const Columns& c, const Row* row, std::int64_t i, std::int64_t j, std::int64_t N,
           Sums* action, Range<Vector>& range) {
-  const Vector x = load(c.x + j), y = load(c.y + j), z = load(c.z + j), charge = load(c.charge + j);
+  const Vector x = load(c.x + j), y = load(c.y + j), z = load(c.z + j), factor = load(c.factor + j);
   Vector reaction_x = load(c.reaction_x + j), reaction_y = load(c.reaction_y + j), reaction_z = load(c.reaction_z + j);
 #pragma GCC unroll 4
   for (int k = 0; k < rows; ++k) {
     const Vector dx = x - row[k].x, dy = y - row[k].y, dz = z - row[k].z;
-    Vector square = dx * dx + dy * dy + dz * dz, partner = charge;
+    Vector square = dx * dx + dy * dy + dz * dz, partner = factor;
     if constexpr (some_are_no_pair) {
       Numbers number{};
       for (int lane = 0; lane < lanes; ++lane) number[lane] = j + lane;
       const Numbers is_pair = (number > i + k) & (number < N);
       square = is_pair ? square : Vector{} + 1.0;
-      partner = is_pair ? charge : Vector{};
+      partner = is_pair ? factor : Vector{};
     }
     range.include(square);
     const Vector over_d = force_over_distance(powers, row[k], partner, square);
@@ -246,7 +246,7 @@ void add_row(const Powers& powers, const PairForce& law, const Columns& c, std::
     const double dx = c.x[j] - row.x, dy = c.y[j] - row.y, dz = c.z[j] - row.z;
     const double square = dx * dx + dy * dy + dz * dz;
     range.include(square);
-    const double over_d = force_over_distance(powers, row, c.charge[j], square);
+    const double over_d = force_over_distance(powers, row, c.factor[j], square);
     x += over_d * dx, y += over_d * dy, z += over_d * dz;
     c.reaction_x[j] -= over_d * dx, c.reaction_y[j] -= over_d * dy, c.reaction_z[j] -= over_d * dz;
   }
