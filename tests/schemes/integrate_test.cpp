@@ -433,6 +433,19 @@ BOOST_AUTO_TEST_CASE(fails_where_a_step_does_not_change_the_time) {
   BOOST_TEST(state.t == 1e16);
 }
 
+BOOST_AUTO_TEST_CASE(takes_a_scheme_and_a_control_that_nobody_keeps) {
+  const Spring problem;
+  State named = displaced(), nobodys = displaced(), watched = displaced();
+  VelocityVerlet scheme;
+  FixedStep control{.step = 0.3};
+  Watch none{Events{}};
+  BOOST_TEST((integrate(problem, named, 1.0, scheme, control).status == Status::reached));
+  BOOST_TEST((integrate(problem, nobodys, 1.0, VelocityVerlet(), FixedStep{.step = 0.3}).status == Status::reached));
+  BOOST_TEST(
+      (integrate(problem, watched, 1.0, VelocityVerlet(), FixedStep{.step = 0.3}, none).status == Status::reached));
+  BOOST_TEST((nobodys.r == named.r && nobodys.v == named.v && watched.r == named.r));
+}
+
 BOOST_AUTO_TEST_CASE(refuses_what_cannot_be_meant) {
   const Limited problem{infinity};
   RungeKutta4 scheme;

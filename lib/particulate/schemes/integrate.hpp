@@ -205,8 +205,10 @@ Outcome integrate(P& problem, State& state, double t_end, S& scheme, C& control,
 /// Advances a state to t_end: the loop that every scheme, controller and problem share, compiled once.
 ///
 /// Scheme and control are taken by reference and the state keeps its time, so that a run can be continued, to the same
-/// bits, and a checkpoint is three copies. Any other run begins anew, whatever the scheme was used for before. A step
-/// cut short to land on t_end does not change the controller's step unless the controller decides so.
+/// bits, and a checkpoint is three copies. Either may be a temporary, `integrate(problem, state, t_end,
+/// VelocityVerlet{}, FixedStep{.step = 1e-3})`; what it learnt ends with the run. Any other run begins anew, whatever
+/// the scheme was used for before. A step cut short to land on t_end does not change the controller's step unless the
+/// controller decides so.
 ///
 /// A problem that locates its jumps (LocatesJumps) needs a scheme with dense output. Each step is then shortened to the
 /// first jump in it: located on the dense output, which is of lower order than the end of a step, solved anew to end
@@ -231,9 +233,10 @@ Outcome integrate(P& problem, State& state, double t_end, S& scheme, C& control,
 /// @throws std::invalid_argument for a start, an end or a controller that cannot be meant, and for a problem whose type
 ///         is erased and of which the scheme cannot advance all, or not locate the jumps
 /// @throws std::logic_error if the controller accepts a step that has no value
-template <AnyProblem P, Scheme S, Controller C, class Observer = Unobserved>
-requires(!std::is_same_v<std::remove_cvref_t<Observer>, Watch>) Outcome
-    integrate(P& problem, State& state, double t_end, S& scheme, C& control, Observer&& observer = {}) {
+template <AnyProblem P, class S, class C, class Observer = Unobserved>
+requires(Scheme<std::remove_reference_t<S>>&& Controller<std::remove_reference_t<C>> &&
+         !std::is_same_v<std::remove_cvref_t<Observer>, Watch>) Outcome
+    integrate(P& problem, State& state, double t_end, S&& scheme, C&& control, Observer&& observer = {}) {
   return detail::integrate(problem, state, t_end, scheme, control, nullptr, observer);
 }
 
@@ -253,10 +256,11 @@ requires(!std::is_same_v<std::remove_cvref_t<Observer>, Watch>) Outcome
 /// @return status, reason and counts; stopped by events, the reason names them
 /// @throws std::invalid_argument as the other integrate(), and where an event function is not finite
 /// @throws std::logic_error if the controller accepts a step that has no value
-template <AnyProblem P, Scheme S, Controller C, class Observer = Unobserved>
-Outcome integrate(P& problem, State& state, double t_end, S& scheme, C& control, Watch& watch,
-                  Observer&& observer = {}) {
-  static_assert(Dense<S>, "events and located jumps need a scheme with dense output, at(from, dt, theta, there)");
+template <AnyProblem P, class S, class C, class Observer = Unobserved>
+requires(Scheme<std::remove_reference_t<S>>&& Controller<std::remove_reference_t<C>>) Outcome
+    integrate(P& problem, State& state, double t_end, S&& scheme, C&& control, Watch& watch, Observer&& observer = {}) {
+  static_assert(Dense<std::remove_reference_t<S>>,
+                "events and located jumps need a scheme with dense output, at(from, dt, theta, there)");
   return detail::integrate(problem, state, t_end, scheme, control, &watch, observer);
 }
 
