@@ -32,7 +32,8 @@ loses() {
 
 for program in "$bin"/ch[0-9]* "$bin"/verify_* "$bin/compare_rows"; do loses "$program" --help; done
 for program in "$bin"/verify_*; do loses "$program" --list; done
-for script in verification/run.sh tests/run.sh verification/defects/teeth.sh chapters/assignments/check.sh; do
+for script in verification/run.sh tests/run.sh verification/defects/teeth.sh \
+  chapters/assignments/{check,grade}.sh; do
   loses "$root/$script" --help
 done
 for counted in "$bin/feature_cost" "$bin/harness_counted"; do

@@ -83,29 +83,52 @@ function(assignment_submission target chapter source)
   target_link_libraries(${target} PRIVATE driver_${chapter})
 endfunction()
 
-# assignment_autograder(<chNN>): the target autograder_<chNN>, which packs autograder_<chNN>.zip for Gradescope. It
-# holds what the check is made of and nothing else; the two scripts stand at its top, where Gradescope looks for them.
-function(assignment_autograder chapter)
+# assignment_pack(<target> <archive> <options> <format> IN <folder> FILES <files> PARTS <folders> WITHOUT <paths>): a
+# target that packs files of the project, which lose their folders, and folders of it, which keep them, into an archive; REVISION
+# says which one of the project it is. <folder> is the one in the archive, or "." for its top.
+function(assignment_pack target archive options format)
+  cmake_parse_arguments(PARSE_ARGV 4 pack "" "IN" "FILES;PARTS;WITHOUT")
+  set(stage "${CMAKE_CURRENT_BINARY_DIR}/${target}")
+  set(inside "${stage}/${pack_IN}")
+  set(commands "")
+  foreach(part IN LISTS pack_PARTS)
+    list(APPEND commands COMMAND ${CMAKE_COMMAND} -E copy_directory "${assignments_root}/${part}" "${inside}/${part}")
+  endforeach()
+  foreach(path IN LISTS pack_WITHOUT)
+    list(APPEND commands COMMAND ${CMAKE_COMMAND} -E rm -rf "${inside}/${path}")
+  endforeach()
+  foreach(file IN LISTS pack_FILES)
+    list(APPEND commands COMMAND ${CMAKE_COMMAND} -E copy "${assignments_root}/${file}" "${inside}")
+  endforeach()
+  set(revision "cd \"$1\" && cat REVISION || git describe --always --dirty --abbrev=40 || echo unknown")
+  # What stands at the top is named, since a "." before each path is not looked through by every reader of a zip.
+  set(pack "cd \"$1\" && \"$2\" -E tar $5 \"$3\" --format=$4 *")
+  add_custom_target(
+    ${target}
+    COMMAND ${CMAKE_COMMAND} -E rm -rf "${stage}" "${archive}"
+    COMMAND ${CMAKE_COMMAND} -E make_directory "${inside}"
+    ${commands}
+    COMMAND sh -c "(${revision}) 2>/dev/null >\"$2\"" revision "${assignments_root}" "${inside}/REVISION"
+    COMMAND sh -c "${pack}" pack "${stage}" "${CMAKE_COMMAND}" "${archive}" ${format} ${options}
+    COMMAND ${CMAKE_COMMAND} -E rm -rf "${stage}"
+    COMMENT "Packed ${archive}"
+    VERBATIM)
+endfunction()
+
+# assignment_archives(<chNN>): the targets handout_<chNN>, for students, and autograder_<chNN>, for Gradescope, where the
+# two scripts must stand at the top. Both hold what the check is made of; neither holds tests or solutions.
+function(assignment_archives chapter)
   assignment_folder(${chapter} folder noun)
   file(RELATIVE_PATH below "${assignments_root}" "${folder}")
-  set(stage "${CMAKE_CURRENT_BINARY_DIR}/autograder_${chapter}")
-  set(copies "")
-  foreach(part IN ITEMS lib chapters/assignments ${below})
-    list(APPEND copies COMMAND ${CMAKE_COMMAND} -E copy_directory "${assignments_root}/${part}" "${stage}/${part}")
-  endforeach()
-  foreach(part IN ITEMS LICENSE chapters/assignments/autograder/setup.sh
-                        chapters/assignments/autograder/run_autograder)
-    list(APPEND copies COMMAND ${CMAKE_COMMAND} -E copy "${assignments_root}/${part}" "${stage}")
-  endforeach()
-  add_custom_target(
-    autograder_${chapter}
-    COMMAND ${CMAKE_COMMAND} -E rm -rf "${stage}" "${stage}.zip"
-    COMMAND ${CMAKE_COMMAND} -E make_directory "${stage}"
-    ${copies}
-    COMMAND ${CMAKE_COMMAND} -E rm -rf "${stage}/chapters/assignments/autograder"
-    COMMAND ${CMAKE_COMMAND} -E chdir "${stage}" ${CMAKE_COMMAND} -E tar cf "${stage}.zip" --format=zip
-            setup.sh run_autograder LICENSE lib chapters
-    COMMAND ${CMAKE_COMMAND} -E rm -rf "${stage}"
-    COMMENT "Autograder ${stage}.zip"
-    VERBATIM)
+  get_filename_component(shown "${below}" DIRECTORY)
+  set(own chapters/assignments)
+  set(handout "particulate_${chapter}")
+  assignment_pack(
+    handout_${chapter} "${CMAKE_CURRENT_BINARY_DIR}/${handout}.tar.gz" czf gnutar IN ${handout}
+    FILES LICENSE ${own}/handout/README.md PARTS lib ${own} ${shown}
+    WITHOUT ${own}/autograder ${own}/handout ${own}/grade.sh)
+  assignment_pack(
+    autograder_${chapter} "${CMAKE_CURRENT_BINARY_DIR}/autograder_${chapter}.zip" cf zip IN .
+    FILES LICENSE ${own}/autograder/setup.sh ${own}/autograder/run_autograder PARTS lib ${own} ${below}
+    WITHOUT ${own}/autograder ${own}/handout ${own}/grade.sh)
 endfunction()

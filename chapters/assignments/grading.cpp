@@ -57,6 +57,7 @@ struct Score {
   double points = 0.0, possible = 0.0;
   std::string tolerance = {};
   Finding wrong = {};
+  bool is_on_own = false;  // right, but built on what is wrong
 };
 
 // A pipe whose ends close themselves.
@@ -207,6 +208,48 @@ void explain(Run& run, std::optional<int> status, std::size_t asked) {
 
 std::string shown(const std::vector<double>& values) { return fmt::format("{:.15g}", fmt::join(values, ", ")); }
 
+// Values with their names, from a list such as "m v[3]": "m = 1, v = (2, 0, 0)". Behind "..." the names repeat.
+std::string named(const std::string& names, const std::vector<double>& values) {
+  std::istringstream words(names);
+  std::vector<std::string> list;
+  std::size_t repeated = 0;
+  for (std::string word; words >> word;) {
+    if (word == "...") {
+      repeated = list.size();
+    } else {
+      list.push_back(word);
+    }
+  }
+  std::vector<std::string> parts;
+  std::size_t at = 0;
+  for (std::size_t k = 0; k < values.size(); ++at) {
+    if (at == list.size()) at = repeated;
+    const std::string& word = list.at(at);
+    const std::size_t bracket = word.find('[');
+    const bool is_vector = bracket != std::string::npos;
+    const std::size_t size = is_vector ? std::stoul(word.substr(bracket + 1)) : 1,
+                      end = std::min(k + size, values.size());
+    const std::string numbers =
+        shown({values.begin() + static_cast<std::ptrdiff_t>(k), values.begin() + static_cast<std::ptrdiff_t>(end)});
+    parts.push_back(fmt::format("{} = {}", word.substr(0, bracket), is_vector ? "(" + numbers + ")" : numbers));
+    k = end;
+  }
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+// The names of a function's arguments and of what it returns.
+std::pair<std::string, std::string> signature(const Assignment& assignment, const std::string& function) {
+  const auto found = assignment.calls.find(function);
+  const std::size_t arrow = found == assignment.calls.end() ? std::string::npos : found->second.find(" -> ");
+  if (arrow == std::string::npos) {
+    throw std::logic_error(
+        fmt::format("a check must name the numbers of every call, such as 'm v[3] -> J'; "
+                    "it does not for {}: add it to its calls",
+                    function));
+  }
+  return {found->second.substr(0, arrow), found->second.substr(arrow + 4)};
+}
+
 bool is_close(double answer, double expected, const Line& line) {
   if (!std::isfinite(expected)) return answer == expected;
   return std::abs(answer - expected) <= line.relative * std::abs(expected) + line.absolute;
@@ -223,14 +266,23 @@ bool same(double answer, double given, const Line& line) {
   return is_close(answer, given, line) || (std::isnan(answer) && std::isnan(given));
 }
 
-std::string hint_for(const Question& question, const std::vector<double>& answer, const Line& line) {
-  const auto is_zero = [](double x) { return x == 0.0; };
-  if (std::all_of(answer.begin(), answer.end(), is_zero)) return "the answer is zero: is this still the stub?";
+// The hint to the mistake that gives this answer.
+std::optional<std::string> mistake_in(const Question& question, const std::vector<double>& answer, const Line& line) {
   for (const Mistake& mistake : question.mistakes) {
     const bool made = std::equal(answer.begin(), answer.end(), mistake.gives.begin(), mistake.gives.end(),
                                  [&](double a, double b) { return same(a, b, line); });
     if (made) return mistake.hint;
   }
+  return std::nullopt;
+}
+
+bool is_zero(const std::vector<double>& answer) {
+  return std::all_of(answer.begin(), answer.end(), [](double x) { return x == 0.0; });
+}
+
+std::string hint_for(const Question& question, const std::vector<double>& answer, const Line& line) {
+  if (is_zero(answer)) return "the answer is zero: is this still the stub?";
+  if (const std::optional<std::string> hint = mistake_in(question, answer, line)) return *hint;
   const auto is_finite = [](double x) { return std::isfinite(x); };
   if (std::all_of(answer.begin(), answer.end(), is_finite)) {
     return line.otherwise.empty() ? question.otherwise : line.otherwise;
@@ -238,22 +290,78 @@ std::string hint_for(const Question& question, const std::vector<double>& answer
   return "the answer is not a finite number: look for 0/0, overflow, a root or a logarithm of a negative number";
 }
 
-std::string call(const Question& question) { return fmt::format("{}({})", question.function, shown(question.inputs)); }
+// Whether a function answers more than zero somewhere in the line, as a source with holes does not.
+bool is_filled(const std::string& function, const Line& line, const Answers& answers) {
+  for (std::size_t k = 0; k < line.questions.size(); ++k) {
+    if (line.questions[k].function == function && !is_zero(answers[k])) return true;
+  }
+  return false;
+}
 
-std::optional<Finding> first_wrong(const Line& line, const Answers& answers) {
+// Answers to what a question is built on; none where one of them is none to build on.
+Answers own_answers(const Line& line, const Answers& answers, std::size_t number) {
+  Answers own;
+  for (std::size_t k = number - line.questions[number].built_on; k < number; ++k) {
+    const Question& before = line.questions[k];
+    if (answers[k].size() != before.expected.size() || !is_filled(before.function, line, answers)) return {};
+    own.push_back(answers[k]);
+  }
+  return own;
+}
+
+// How an answer that is not the expected one stands to the student's own answers before it.
+enum class Own { wrong, right, not_judged };
+
+Own on_its_own(const Line& line, const Answers& answers, std::size_t number) {
+  const Question& question = line.questions[number];
+  if (!question.with_own || !is_filled(question.function, line, answers)) return Own::wrong;
+  const Answers own = own_answers(line, answers, number);
+  if (own.empty()) return Own::wrong;
+  const auto has_nan = [](const auto& of) {
+    return std::any_of(of.begin(), of.end(), [](double x) { return std::isnan(x); });
+  };
+  if (std::any_of(own.begin(), own.end(), has_nan)) return Own::not_judged;
+  const Answers right = question.with_own(own);
+  const auto gives = [&](const auto& one) { return is_close(answers[number], one, line); };
+  return std::any_of(right.begin(), right.end(), gives) ? Own::right : Own::wrong;
+}
+
+// The first answer of a line that is wrong. Answers that are right on the student's own terms are marked in the score.
+std::optional<Finding> first_wrong(const Assignment& assignment, const Line& line, const Answers& answers,
+                                   Score& score) {
+  const auto call = [&](const Question& question) {
+    return fmt::format("{}({})", question.function,
+                       named(signature(assignment, question.function).first, question.inputs));
+  };
+  const auto finding = [&](std::size_t k) {
+    const Question& question = line.questions[k];
+    const std::string results = signature(assignment, question.function).second;
+    return Finding{.expected = named(results, question.expected),
+                   .obtained = named(results, answers[k]),
+                   .hint = hint_for(question, answers[k], line),
+                   .call = call(question)};
+  };
+  // Where nothing could be judged, nothing is right.
+  std::optional<std::size_t> not_judged;
+  bool is_any_right = false;
   for (std::size_t k = 0; k < line.questions.size(); ++k) {
     const Question& question = line.questions[k];
     const bool is_judged_later = question.expected.empty() && answers[k].size() == question.count;
-    if (is_judged_later || is_close(answers[k], question.expected, line)) continue;
-    return Finding{.expected = fmt::format("{} = {}", call(question), shown(question.expected)),
-                   .obtained = shown(answers[k]),
-                   .hint = hint_for(question, answers[k], line)};
+    if (!question.is_judged || is_judged_later) continue;
+    const bool is_right = is_close(answers[k], question.expected, line);
+    const Own own = is_right ? Own::right : on_its_own(line, answers, k);
+    if (own == Own::wrong) return finding(k);
+    if (own == Own::not_judged) not_judged = k;
+    if (own == Own::right) is_any_right = true;
+    if (!is_right) score.is_on_own = true;
   }
+  if (not_judged && !is_any_right) return finding(*not_judged);
   for (std::size_t k = 0; k < line.questions.size(); ++k) {
     const Question& question = line.questions[k];
     std::optional<Finding> wrong = question.holds ? question.holds(answers, k) : std::nullopt;
     if (!wrong) continue;
-    wrong->expected = fmt::format("{}: {}", call(question), wrong->expected);
+    wrong->hint = mistake_in(question, answers[k], line).value_or(wrong->hint);
+    wrong->call = call(question);
     return wrong;
   }
   return std::nullopt;
@@ -275,12 +383,25 @@ std::string escaped(const std::string& text) {
   return out;
 }
 
+const char* const on_own = "built on your own answers";
+
+// What is told of a line that is wrong: names and texts.
+std::vector<std::pair<std::string, std::string>> told(const Score& score) {
+  std::vector<std::pair<std::string, std::string>> rows;
+  if (!score.wrong.call.empty()) rows.emplace_back("call", score.wrong.call);
+  rows.insert(rows.end(), {{"expected", score.wrong.expected},
+                           {"obtained", score.wrong.obtained},
+                           {"tolerance", score.tolerance},
+                           {"hint", score.wrong.hint}});
+  return rows;
+}
+
 std::string story(const Score& score) {
-  const Finding& wrong = score.wrong;
-  if (wrong.hint.empty()) return "right";
-  if (wrong.expected.empty()) return wrong.hint;
-  return fmt::format("expected: {}\nobtained: {}\ntolerance: {}\nhint: {}", wrong.expected, wrong.obtained,
-                     score.tolerance, wrong.hint);
+  if (score.wrong.hint.empty()) return score.is_on_own ? on_own : "right";
+  if (score.wrong.expected.empty()) return score.wrong.hint;
+  std::string text;
+  for (const auto& [name, what] : told(score)) text += fmt::format("{}{}: {}", text.empty() ? "" : "\n", name, what);
+  return text;
 }
 
 // Answers, a line each, up to "end". Whether they are complete: as many as asked, and nothing behind.
@@ -326,7 +447,7 @@ Run ask(const std::string& program, const std::vector<Question>& questions, cons
 }
 
 // All points of a line or none, and why.
-Score grade(const std::string& program, const Line& line, const Limits& limits) {
+Score grade(const std::string& program, const Assignment& assignment, const Line& line, const Limits& limits) {
   Score score{.name = line.name, .possible = line.points};
   score.tolerance = fmt::format("{:g} relative", line.relative);
   if (line.absolute > 0.0) score.tolerance += fmt::format(" + {:g}", line.absolute);
@@ -334,7 +455,7 @@ Score grade(const std::string& program, const Line& line, const Limits& limits) 
   if (!run.wrong.obtained.empty()) {
     score.wrong = run.wrong;
     score.wrong.expected = fmt::format("{} answers", line.questions.size());
-  } else if (const std::optional<Finding> wrong = first_wrong(line, run.answers)) {
+  } else if (const std::optional<Finding> wrong = first_wrong(assignment, line, run.answers, score)) {
     score.wrong = *wrong;
   } else {
     score.points = line.points;
@@ -419,6 +540,23 @@ Score compiles(const std::string& log) {
   return score;
 }
 
+// A name and a text, which is broken between words where it would leave a screen of 100 columns.
+void print_row(const std::string& name, const std::string& text) {
+  constexpr std::size_t width = 75;
+  fmt::print("{:14}{:<10}", "", name);
+  std::istringstream words(text);
+  std::size_t column = 0;
+  for (std::string word; words >> word;) {
+    if (column > 0 && column + 1 + word.size() > width) {
+      fmt::print("\n{:24}", "");
+      column = 0;
+    }
+    fmt::print(" {}", word);
+    column += 1 + word.size();
+  }
+  fmt::print("\n");
+}
+
 void print(const std::vector<Score>& scores) {
   double reached = 0.0, possible = 0.0;
   for (const Score& score : scores) {
@@ -431,12 +569,10 @@ void print(const std::vector<Score>& scores) {
       fmt::print("{:>5}         {}", wrong.hint.empty() ? "yes" : "no", score.name);
     }
     const bool is_asked = !wrong.expected.empty();
-    fmt::print("{}\n", is_asked || wrong.hint.empty() ? "" : " (" + wrong.hint + ")");
+    const std::string remark = is_asked ? "" : score.is_on_own ? on_own : wrong.hint;
+    fmt::print("{}\n", remark.empty() ? "" : " (" + remark + ")");
     if (!is_asked) continue;
-    fmt::print(
-        "              expected   {}\n              obtained   {}\n              tolerance  {}\n"
-        "              hint       {}\n",
-        wrong.expected, wrong.obtained, score.tolerance, wrong.hint);
+    for (const auto& [name, what] : told(score)) print_row(name, what);
   }
   fmt::print("{:5g} of {:<5g}in all\n", reached, possible);
 }
@@ -518,7 +654,7 @@ int graded(int argc, char** argv, const Assignment& assignment) {
     const Line line = make_line(*variant, numbers);
     scores.push_back(
         options.log.empty()
-            ? grade(options.program, line, limits)
+            ? grade(options.program, assignment, line, limits)
             : Score{.name = line.name, .possible = line.points, .wrong = {.hint = "not asked: it does not compile"}});
   }
   print(scores);

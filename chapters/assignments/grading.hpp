@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <map>
 #include <optional>
 #include <random>
 #include <string>
@@ -31,6 +32,18 @@ std::vector<Mistake> mistakes(const std::vector<std::pair<Flaw, std::string>>& f
   return all;
 }
 
+/// What a pi of too few digits makes of an answer.
+/// @param gives  the answer with a pi
+/// @return some that are typed
+template <class Gives>
+std::vector<Mistake> rough_pi(const Gives& gives) {
+  std::vector<Mistake> all;
+  for (const double pi : {3.0, 22.0 / 7.0, 3.14, 3.1416, 3.14159, 3.141592, 3.141593, 3.1415926, 3.1415927}) {
+    all.push_back({gives(pi), "pi has more digits than you gave it: write std::numbers::pi"});
+  }
+  return all;
+}
+
 /// The answers to a line's questions, in their order.
 using Answers = std::vector<std::vector<double>>;
 
@@ -39,6 +52,7 @@ struct Finding {
   std::string expected = {};  ///< what must hold
   std::string obtained = {};  ///< what was given
   std::string hint = {};      ///< what to look for
+  std::string call = {};      ///< of the student's function, with the names of its arguments
 };
 
 /// One call of a student's function.
@@ -53,6 +67,11 @@ struct Question {
   /// A fact that the answer of this number must obey, alone or with those behind it, such as a conservation law; looked
   /// at once every comparison of the line was right. NaN must break it. None: comparison is all.
   std::function<std::optional<Finding>(const Answers&, std::size_t number)> holds = {};
+  bool is_judged = true;     ///< false: asked only for what is built on it
+  std::size_t built_on = 0;  ///< so many questions just before this one, to functions that this one may call
+  /// Right as well: the same formula with the student's own answers to what it is built on. A slip thus costs the
+  /// points of its own function alone. A function that answers zero throughout the line is none to build on.
+  std::function<Answers(const Answers& own)> with_own = {};
 };
 
 /// One line of the score table. All its questions are put to one run of the program; each must be answered rightly.
@@ -88,6 +107,9 @@ struct Assignment {
   std::vector<std::string> variants;  ///< what each variant of the problem asks
   /// The table, but for "compiles". Lines are made in this order, each with its numbers from the same stream.
   std::vector<Line (*)(int variant, Draw& numbers)> lines;
+  /// What the numbers of a call and of its answer mean, by function: "m v[3] e -> J" for a mass, the three components
+  /// of a velocity and a ratio, answered by one number. What stands behind "..." repeats itself.
+  std::map<std::string, std::string> calls;
 };
 
 /// The main program of a check: reads the command line, grades, prints the table, writes the results for Gradescope.

@@ -17,9 +17,10 @@ mkdir -p "$AUTOGRADER"/{source,submission,results}
 (cd "$AUTOGRADER/source" && "$cmake" -E tar xf "$zip")
 cp "$AUTOGRADER/source/run_autograder" "$AUTOGRADER/run_autograder"
 [[ -x $AUTOGRADER/run_autograder && -x $AUTOGRADER/source/setup.sh ]] || fail "the scripts in the zip must be executable"
-(cd "$AUTOGRADER/source" && ls) | diff - <(printf '%s\n' LICENSE chapters lib run_autograder setup.sh) ||
+(cd "$AUTOGRADER/source" && ls) | diff - <(printf '%s\n' LICENSE REVISION chapters lib run_autograder setup.sh) ||
   fail "the zip must hold what the check needs and nothing else"
-[[ $(ls "$AUTOGRADER/source/chapters") == "assignments"$'\n'"${chapter}_"* ]] || fail "one assignment belongs in the zip"
+folders=$(cd "$AUTOGRADER/source/chapters" && echo *)
+[[ $folders =~ ^assignments" "${chapter}_[a-z_]+$ ]] || fail "one assignment belongs in the zip"
 "$AUTOGRADER/source/setup.sh"
 
 cat >"$AUTOGRADER/submission_metadata.json" <<'END'

@@ -36,6 +36,8 @@ endif()
 if(NOT status EQUAL expected_status)
   message(SEND_ERROR "must end with status ${expected_status}, ended with ${status}")
 endif()
+# Long texts are broken into lines, which must fit a screen.
+string(REGEX REPLACE "[ \n]+" " " table "${table}")
 string(REPLACE "|" ";" hints "${HINTS}")
 foreach(hint IN LISTS hints)
   string(FIND "${table}" "${hint}" at)

@@ -225,13 +225,18 @@ std::vector<Mistake> mistakes_of_stiffness(const Pair& pair) {
   return all;
 }
 
+// With the student's own d_e.
 Question ask_stiffness(const Pair& pair) {
-  return {.function = "stiffness",
-          .inputs = inputs(pair),
-          .expected = {stiffness(pair)},
-          .mistakes = mistakes_of_stiffness(pair)};
+  return {
+      .function = "stiffness",
+      .inputs = inputs(pair),
+      .expected = {stiffness(pair)},
+      .mistakes = mistakes_of_stiffness(pair),
+      .built_on = 1,
+      .with_own = [law = powers(pair)](const Answers& own) { return Answers{{slope(law, own[0][0], law.p, law.q)}}; }};
 }
 
+// With the student's own stiffness.
 Question ask_period(const Pair& pair, double m_i, double m_j) {
   const double T = period(pair, m_i, m_j), k = stiffness(pair);
   const std::string reduced =
@@ -250,7 +255,15 @@ Question ask_period(const Pair& pair, double m_i, double m_j) {
                    {{1.0 / T}, "this is the frequency: the period is its inverse"},
                    {{2.0 * std::numbers::pi / T}, "this is the angular frequency: the period is 2 pi over it"},
                    {{T * T / (2.0 * std::numbers::pi)}, "the root is missing: T = 2 pi sqrt(m*/V'')"},
-                   {{period(other(pair), m_i, m_j)}, other_variant}}};
+                   {{period(other(pair), m_i, m_j)}, other_variant}},
+      .built_on = 1,
+      .with_own = [pair, m_i, m_j](const Answers& own) {
+        return Answers{{period_of(kinematics::reduced_mass(m_i, m_j), own[0][0])}};
+      }};
+  for (const Mistake& mistake :
+       grading::rough_pi([&](double pi) { return std::vector<double>{T * pi / std::numbers::pi}; })) {
+    question.mistakes.push_back(mistake);
+  }
   // A wrong stiffness shows here too.
   for (const Mistake& mistake : mistakes_of_stiffness(pair)) {
     const double wrong = T * std::sqrt(k / mistake.gives.front());
@@ -259,27 +272,70 @@ Question ask_period(const Pair& pair, double m_i, double m_j) {
   return question;
 }
 
-Line exact_case(int variant, Draw& draw) {
-  // Neither they nor what integration makes of them is 1, so that no factor can be left out; with beta2 = 2 beta1 - 1
-  // a stiffness without beta2 would look like a wrong sign.
-  const double beta1 = variant == 1 ? 3.0 : 2.0;
-  const double beta2 = variant == 1 ? 7.0 + draw.one_of(2) : 3.0 + 3.0 * draw.one_of(2);
-  const Pair pair{variant, draw.between(1.0, 2.0), draw.between(3.0, 5.0), beta1, beta2};
-  const double d_ref = draw.between(1.2, 1.6);
-  const double close = draw.between(0.4, 0.7), far = draw.between(6.0, 9.0);
-  const double m_i = draw.between(1.0, 2.0), m_j = draw.between(3.0, 6.0);
-  return {.name = "exact case: whole exponents",
-          .points = 5.0,
-          .relative = 1e-10,
-          .questions = {ask_strength(pair, close), ask_strength(pair, far), ask_potential(pair, close, d_ref),
-                        ask_equilibrium(pair), ask_stiffness(pair), ask_period(pair, m_i, m_j)}};
+// Asked for what is built on it: it has lines of its own.
+Question unjudged(Question question) {
+  question.is_judged = false;
+  return question;
 }
 
-Line limit_case(int variant, Draw& draw) {
+void add_stiffness(Line& line, const Pair& pair) {
+  line.questions.push_back(unjudged(ask_equilibrium(pair)));
+  line.questions.push_back(ask_stiffness(pair));
+}
+
+void add_period(Line& line, const Pair& pair, double m_i, double m_j) {
+  line.questions.push_back(unjudged(ask_stiffness(pair)));
+  line.questions.push_back(ask_period(pair, m_i, m_j));
+}
+
+// Whole exponents, to be checked by hand. Neither they nor what integration makes of them is 1, so that no factor can
+// be left out; with beta2 = 2 beta1 - 1 a stiffness without beta2 would look like a wrong sign.
+Pair plain_pair(int variant, Draw& draw) {
+  const double beta1 = variant == 1 ? 3.0 : 2.0;
+  const double beta2 = variant == 1 ? 7.0 + draw.one_of(2) : 3.0 + 3.0 * draw.one_of(2);
+  return {variant, draw.between(1.0, 2.0), draw.between(3.0, 5.0), beta1, beta2};
+}
+
+Line plain(const char* name, double points, std::vector<Question> questions = {}) {
+  return {.name = name, .points = points, .relative = 1e-10, .questions = std::move(questions)};
+}
+
+Line plain_strength(int variant, Draw& draw) {
+  const Pair pair = plain_pair(variant, draw);
+  return plain("strength: close and far", 2.0,
+               {ask_strength(pair, draw.between(0.4, 0.7)), ask_strength(pair, draw.between(6.0, 9.0))});
+}
+
+Line plain_potential(int variant, Draw& draw) {
+  const Pair pair = plain_pair(variant, draw);
+  const double d = draw.between(0.4, 0.7);
+  return plain("potential: whole exponents", 3.0, {ask_potential(pair, d, draw.between(1.2, 1.6))});
+}
+
+Line plain_equilibrium(int variant, Draw& draw) {
+  const Pair pair = plain_pair(variant, draw), close{variant, pair.alpha1, 1e-12 * pair.alpha2, pair.beta1, 13.0};
+  return plain("equilibrium_distance: far and close", 2.0, {ask_equilibrium(pair), ask_equilibrium(close)});
+}
+
+Line plain_stiffness(int variant, Draw& draw) {
+  Line line = plain("stiffness: whole exponents", 2.0);
+  add_stiffness(line, plain_pair(variant, draw));
+  return line;
+}
+
+Line plain_period(int variant, Draw& draw) {
+  Line line = plain("period: whole exponents", 2.0);
+  const Pair pair = plain_pair(variant, draw);
+  const double m_i = draw.between(1.0, 2.0);
+  add_period(line, pair, m_i, draw.between(3.0, 6.0));
+  return line;
+}
+
+Line potential_at_one(int variant, Draw& draw) {
   const double alpha1 = draw.between(1.0, 2.0), alpha2 = draw.between(3.0, 5.0), d_ref = draw.between(1.2, 1.6);
   const double d = draw.between(0.3, 0.5);
   const double other_beta = variant == 1 ? draw.between(2.5, 3.5) : draw.between(1.5, 2.5);
-  Line line{.name = "limit case: exponents at and near 1, one mass far greater", .points = 5.0, .relative = 1e-8};
+  Line line{.name = "potential: exponents at and near 1", .points = 3.0, .relative = 1e-8};
   for (const double beta : {1.0, 1.0 - 1e-11, 1.0 + 1e-6}) {
     const Pair pair =
         variant == 1 ? Pair{1, alpha1, alpha2, beta, other_beta} : Pair{2, alpha1, alpha2, other_beta, beta};
@@ -287,8 +343,6 @@ Line limit_case(int variant, Draw& draw) {
   }
   const Pair repelling{variant, alpha1, alpha2, 0.5, 1.0};
   line.questions.push_back(ask_potential_at_limit(repelling, d, d_ref));
-  const Pair heavy{variant, alpha1, alpha2, 0.5, other_beta};
-  line.questions.push_back(ask_period(heavy, draw.between(1.0, 2.0), 1e30));
   return line;
 }
 
@@ -316,7 +370,7 @@ Line conservation(int variant, Draw& draw) {
   const Pair pair{variant, alpha1, alpha2, draw.between(1.2, 1.8), draw.between(2.5, 3.5)};
   const std::array<double, 3> distances{draw.between(0.4, 0.8), draw.between(1.0, 2.0), draw.between(5.0, 9.0)};
   constexpr double h = 0.0078125;
-  Line line{.name = "conservation: the potential's slope is the strength", .points = 5.0, .relative = 1e-9};
+  Line line{.name = "conservation: the potential's slope is the strength", .points = 2.0, .relative = 1e-9};
   // Where the two terms cancel, their rounding is left.
   line.absolute = 1e-11;
   for (const double d : distances) {
@@ -331,32 +385,71 @@ Line conservation(int variant, Draw& draw) {
   return line;
 }
 
-Line extreme_case(int variant, Draw& draw) {
-  const Pair pair{variant, draw.between(1.0, 2.0), draw.between(0.1, 0.5), variant == 1 ? 6.0 : 3.0, 13.0};
-  const Pair close{variant, pair.alpha1, 1e-12 * pair.alpha2, pair.beta1, pair.beta2};
-  Line line{.name = "extreme case: exponent 13, distances from 0.001 to 1000", .points = 5.0, .relative = 1e-10};
+// A steep law whose values span forty orders of magnitude.
+Pair steep_pair(int variant, Draw& draw) {
+  return {variant, draw.between(1.0, 2.0), draw.between(0.1, 0.5), variant == 1 ? 6.0 : 3.0, 13.0};
+}
+
+Line extreme(const char* name) {
+  Line line = plain(name, 1.0);
   line.otherwise =
       "compare with the formula of the brief, term by term; where the other lines are right: values span forty orders "
       "of magnitude, so use double and std::pow, add no small number to d, and replace no derivative or integral by "
       "differences or sums";
-  // Far out one term alone is left: what is wrong with the other shows nearby.
-  for (const double d : {draw.between(1.1, 1.3), 1e-3, 1e3}) {
-    line.questions.push_back(ask_strength(pair, d));
-    line.questions.push_back(ask_potential(pair, d, 1.5));
-  }
-  line.questions.push_back(ask_equilibrium(close));
-  line.questions.push_back(ask_stiffness(close));
-  const double m_i = draw.between(1e-15, 2e-15), m_j = draw.between(1e-12, 2e-12);
-  line.questions.push_back(ask_period(close, m_i, m_j));
+  return line;
+}
+
+// Far out one term alone is left: what is wrong with the other shows nearby.
+std::array<double, 3> steep_distances(Draw& draw) { return {draw.between(1.1, 1.3), 1e-3, 1e3}; }
+
+Line extreme_strength(int variant, Draw& draw) {
+  Line line = extreme("strength: exponent 13, distances from 0.001 to 1000");
+  const Pair pair = steep_pair(variant, draw);
+  for (const double d : steep_distances(draw)) line.questions.push_back(ask_strength(pair, d));
+  return line;
+}
+
+Line extreme_potential(int variant, Draw& draw) {
+  Line line = extreme("potential: exponent 13, distances from 0.001 to 1000");
+  const Pair pair = steep_pair(variant, draw);
+  for (const double d : steep_distances(draw)) line.questions.push_back(ask_potential(pair, d, 1.5));
+  return line;
+}
+
+Pair close_pair(int variant, Draw& draw) {
+  Pair pair = steep_pair(variant, draw);
+  pair.alpha2 *= 1e-12;
+  return pair;
+}
+
+Line extreme_stiffness(int variant, Draw& draw) {
+  Line line = extreme("stiffness: exponent 13, bodies close together");
+  add_stiffness(line, close_pair(variant, draw));
+  return line;
+}
+
+Line extreme_period(int variant, Draw& draw) {
+  Line line = extreme("period: one mass far greater, masses of dust");
+  const Pair close = close_pair(variant, draw);
+  const double m_i = draw.between(1.0, 2.0);
+  add_period(line, close, m_i, 1e30);
+  add_period(line, close, 1e-15 * m_i, draw.between(1e-12, 2e-12));
   return line;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  const std::string law = "alpha1 alpha2 beta1 beta2";
   return grading::run(
       argc, argv,
       {.title = "Chapter 1: potential and equilibrium of a pair",
        .variants = {"C(d) = alpha1 d^-beta1 - alpha2 d^-beta2", "C(d) = alpha1 d^beta1 - alpha2 d^-beta2"},
-       .lines = {exact_case, limit_case, conservation, extreme_case}});
+       .lines = {plain_strength, extreme_strength, plain_potential, potential_at_one, extreme_potential,
+                 plain_equilibrium, plain_stiffness, extreme_stiffness, plain_period, extreme_period, conservation},
+       .calls = {{"strength", law + " d -> C"},
+                 {"potential", law + " d d_ref -> V"},
+                 {"equilibrium_distance", law + " -> d_e"},
+                 {"stiffness", law + " -> V''"},
+                 {"period", law + " m_i m_j -> T"}}});
 }

@@ -21,6 +21,7 @@ using grading::Finding;
 using grading::Line;
 using grading::mistakes;
 using grading::Question;
+using grading::rough_pi;
 
 namespace {
 
@@ -49,10 +50,11 @@ contact::Rebound by_library(const Hit& hit) {
 // What can be wrong in one of the formulas. Where several give the same answer, the first one's hint is shown.
 struct Flaw {
   bool approach_reversed = false, impulse_reversed = false, forgotten_one = false, forgotten_e = false, loses_e = false,
-       energy = false, half = false, twice = false, other_variant = false, sum_of_masses = false, mass_of_i = false,
-       mass_of_j = false, whole_velocity = false, sticks_strictly = false, never_sticks = false, forgotten_bars = false,
-       friction_pushes = false, slides_by_static = false, swapped_coefficients = false, sticks_by_dynamic = false,
-       always_sticks = false, no_friction = false, swapped_masses = false, same_direction = false, pulls = false;
+       energy = false, half = false, twice = false, other_variant = false, not_inverted = false, sum_of_masses = false,
+       mass_of_i = false, mass_of_j = false, whole_velocity = false, whole_direction = false, whole_length = false,
+       sticks_strictly = false, never_sticks = false, forgotten_bars = false, friction_pushes = false,
+       slides_by_static = false, swapped_coefficients = false, sticks_by_dynamic = false, always_sticks = false,
+       no_friction = false, swapped_masses = false, same_direction = false, pulls = false;
 };
 
 const std::vector<std::pair<Flaw, std::string>> flaws{
@@ -68,12 +70,19 @@ const std::vector<std::pair<Flaw, std::string>> flaws{
     {{.other_variant = true},
      "this is the map of the other variant: in variant 1 both bodies move, in variant 2 j is driven and 1/m_j counts "
      "as 0"},
+    {{.not_inverted = true},
+     "m* is upside down: 1/m_i + 1/m_j is 1/m*, so m* = 1/(1/m_i + 1/m_j), which has the unit of a mass"},
     {{.sum_of_masses = true}, "m* is not the sum of the masses: its inverse is the sum of their inverses"},
     {{.mass_of_i = true}, "m* is not the mass of one body: 1/m* = 1/m_i + 1/m_j"},
     {{.mass_of_j = true}, "swapped indices: the mass of j stands where that of i belongs"},
-    {{.whole_velocity = true}, "friction acts across n: take the normal part from the relative velocity, w - (w.n) n"},
+    {{.whole_direction = true},
+     "friction acts across n, against the slip: it slides along w_t/|w_t|, not along w/|w|; w_t = w - (w.n) n"},
+    {{.whole_velocity = true},
+     "friction acts across n, on the slip: take the normal part from the relative velocity, w_t = w - (w.n) n"},
     {{.sticks_strictly = true},
      "it sticks where m* |slip| <= mu_s |J|, equality included: where nothing slips and nothing rubs, sliding is 0/0"},
+    {{.sticks_by_dynamic = true}, "whether it sticks is decided by mu_s, not by mu_d"},
+    {{.whole_length = true}, "the slip alone has to be stopped: compare m* |w_t| with mu_s |J|, not m* |w|"},
     {{.never_sticks = true},
      "friction is not capped: it can stop the slip, never reverse it; stick if m* |slip| <= mu_s |J|, with |J| since J "
      "is negative, and where nothing slips slip/|slip| is 0/0"},
@@ -82,7 +91,6 @@ const std::vector<std::pair<Flaw, std::string>> flaws{
     {{.slides_by_static = true}, "once it slides the coefficient is mu_d, not mu_s"},
     {{.swapped_coefficients = true},
      "mu_s and mu_d are swapped: mu_s says whether it sticks, mu_d how strongly it slides"},
-    {{.sticks_by_dynamic = true}, "whether it sticks is decided by mu_s, not by mu_d"},
     {{.always_sticks = true}, "friction cannot stop every slip: it slides where sticking needs more than mu_s |J|"},
     {{.no_friction = true}, "friction is missing: add P across n to J along n"},
     {{.swapped_masses = true}, "swapped indices: the change of v_i is the impulse over m_i, that of v_j over m_j"},
@@ -99,6 +107,7 @@ double flawed_mass(const Hit& hit, const Flaw& flaw) {
   other.variant = 3 - hit.variant;
   if (flaw.half) return 0.5 * reduced_mass(hit);
   if (flaw.twice) return 2.0 * reduced_mass(hit);
+  if (flaw.not_inverted) return 1.0 / reduced_mass(hit);
   if (flaw.sum_of_masses) return hit.m_i + hit.m_j;
   if (flaw.mass_of_i) return hit.m_i;
   if (flaw.mass_of_j) return hit.m_j;
@@ -124,12 +133,13 @@ Vector3d flawed_friction(const Hit& hit, const Flaw& flaw, double mass, double J
   const bool swapped = flaw.swapped_coefficients;
   const double to_stick = swapped || flaw.sticks_by_dynamic ? hit.friction.mu_d : hit.friction.mu_s;
   const double to_slide = swapped || flaw.slides_by_static ? hit.friction.mu_s : hit.friction.mu_d;
-  const double size = std::abs(J), needed = mass * slip.norm();
+  const Vector3d sliding = flaw.whole_direction ? relative : slip;
+  const double size = std::abs(J), needed = mass * (flaw.whole_length ? relative : slip).norm();
   const double limit = to_stick * (flaw.forgotten_bars ? J : size);
   const bool can_stick = flaw.sticks_strictly ? needed < limit : needed <= limit;
   const bool sticks = flaw.always_sticks || (can_stick && !flaw.never_sticks);
   const double against = flaw.forgotten_bars ? J : size;
-  const Vector3d P = sticks ? Vector3d(-mass * slip) : Vector3d(-to_slide * against / slip.norm() * slip);
+  const Vector3d P = sticks ? Vector3d(-mass * slip) : Vector3d(-to_slide * against / sliding.norm() * sliding);
   return flaw.friction_pushes ? Vector3d(-P) : P;
 }
 
@@ -163,14 +173,17 @@ Question ask_normal(double degrees) {
   const double angle = degrees * std::numbers::pi / 180.0, inverse = degrees * 180.0 / std::numbers::pi;
   const double c = std::cos(angle), s = std::sin(angle);
   const std::string in_degrees = "the angle is in degrees, std::cos and std::sin take radians: times pi/180";
-  return {.function = "normal",
-          .inputs = {degrees},
-          .expected = {c, s, 0.0},
-          .mistakes = {{{std::cos(degrees), std::sin(degrees), 0.0}, in_degrees},
-                       {{std::cos(inverse), std::sin(inverse), 0.0}, in_degrees + ", not over it"},
-                       {{s, c, 0.0}, "the angle is measured from the x axis: the cosine is the x component"},
-                       {{c, -s, 0.0}, "sign: the angle turns from the x axis towards the y axis"},
-                       {{-c, -s, 0.0}, "sign of n: it points along (cos, sin, 0)"}}};
+  Question question{.function = "normal", .inputs = {degrees}, .expected = {c, s, 0.0}};
+  question.mistakes = rough_pi([&](double pi) {
+    return std::vector<double>{std::cos(degrees * pi / 180.0), std::sin(degrees * pi / 180.0), 0.0};
+  });
+  question.mistakes.insert(question.mistakes.begin(),
+                           {{{std::cos(degrees), std::sin(degrees), 0.0}, in_degrees},
+                            {{std::cos(inverse), std::sin(inverse), 0.0}, in_degrees + ", not over it"},
+                            {{s, c, 0.0}, "the angle is measured from the x axis: the cosine is the x component"},
+                            {{c, -s, 0.0}, "sign: the angle turns from the x axis towards the y axis"},
+                            {{-c, -s, 0.0}, "sign of n: it points along (cos, sin, 0)"}});
+  return question;
 }
 
 Question ask_normal_impulse(const Hit& hit) {
@@ -180,22 +193,56 @@ Question ask_normal_impulse(const Hit& hit) {
           .mistakes = mistakes(flaws, [&](const Flaw& flaw) { return std::vector<double>{flawed(hit, flaw).J}; })};
 }
 
+// With the student's own J. If J is wrong because m* is, the m* that it holds will do.
 Question ask_friction_impulse(const Hit& hit) {
   return {.function = "friction_impulse",
           .inputs = inputs(hit),
           .expected = numbers(by_library(hit).impulse.tangential),
-          .mistakes = mistakes(flaws, [&](const Flaw& flaw) { return numbers(flawed(hit, flaw).P); })};
+          .mistakes = mistakes(flaws, [&](const Flaw& flaw) { return numbers(flawed(hit, flaw).P); }),
+          .built_on = 1,
+          .with_own = [hit](const Answers& own) {
+            const double J = own[0][0], held = -J / ((1.0 + hit.e) * approach(hit));
+            return Answers{numbers(flawed_friction(hit, {}, reduced_mass(hit), J)),
+                           numbers(flawed_friction(hit, {}, held, J))};
+          }};
 }
 
+// With the student's own J and P.
 Question ask_impact(const Hit& hit) {
   const contact::Rebound after = by_library(hit);
   return {.function = "impact",
           .inputs = inputs(hit),
           .expected = numbers(after.velocity_i, after.velocity_j),
-          .mistakes = mistakes(flaws, [&](const Flaw& flaw) {
-            const Outcome out = flawed(hit, flaw);
-            return numbers(out.v_i, out.v_j);
-          })};
+          .mistakes = mistakes(flaws,
+                               [&](const Flaw& flaw) {
+                                 const Outcome out = flawed(hit, flaw);
+                                 return numbers(out.v_i, out.v_j);
+                               }),
+          .built_on = 2,
+          .with_own = [hit](const Answers& own) {
+            const Vector3d impulse = own[0][0] * hit.n + Vector3d(own[1][0], own[1][1], own[1][2]);
+            const double share = hit.variant == 1 ? 1.0 / hit.m_j : 0.0;
+            return Answers{numbers(hit.v_i + impulse / hit.m_i, hit.v_j - share * impulse)};
+          }};
+}
+
+// The impulses of a hit, which each have lines of their own, for what is built on them.
+void add_unjudged(Line& line, Question question) {
+  question.is_judged = false;
+  line.questions.push_back(std::move(question));
+}
+
+void add_normal_impulse(Line& line, const Hit& hit) { line.questions.push_back(ask_normal_impulse(hit)); }
+
+void add_friction_impulse(Line& line, const Hit& hit) {
+  add_unjudged(line, ask_normal_impulse(hit));
+  line.questions.push_back(ask_friction_impulse(hit));
+}
+
+void add_impact(Line& line, const Hit& hit) {
+  add_unjudged(line, ask_normal_impulse(hit));
+  add_unjudged(line, ask_friction_impulse(hit));
+  line.questions.push_back(ask_impact(hit));
 }
 
 Vector3d direction(Draw& draw) {
@@ -240,25 +287,74 @@ Hit head_on(int variant, Draw& draw) {
   return hit;
 }
 
-Line exact_case(int variant, Draw& draw) {
-  const double degrees = draw.between(20.0, 35.0);
-  const Hit straight = head_on(variant, draw);
-  const Hit gentle = oblique(variant, draw.between(0.1, 0.2), draw);
-  const Hit sticking = oblique(variant, draw.between(0.7, 0.9), draw);
-  const Hit sliding = oblique(variant, draw.between(1.5, 2.5), draw);
-  return {.name = "exact case: head-on, sticking and sliding",
-          .points = 5.0,
-          .relative = 1e-10,
-          .absolute = 1e-12,
-          .questions = {ask_normal(degrees), ask_normal_impulse(straight), ask_normal_impulse(sliding),
-                        ask_friction_impulse(gentle), ask_friction_impulse(sticking), ask_friction_impulse(sliding),
-                        ask_impact(straight), ask_impact(sticking), ask_impact(sliding)}};
+// It sticks, whatever of w is compared, and by either coefficient: who slides here never sticks.
+Hit rough(int variant, Draw& draw) {
+  Hit pair = some_pair(variant, draw);
+  pair.friction.mu_s = 4.0;
+  return with_velocities(pair, draw.between(1.0, 3.0), 0.02, draw);
 }
 
-Line limit_case(int variant, Draw& draw) {
+// It sticks by either coefficient, but would not if all of w had to be stopped.
+Hit gentle(int variant, Draw& draw) {
+  Hit pair = some_pair(variant, draw);
+  pair.friction.mu_s = 0.4;
+  const double u = draw.between(1.0, 3.0);
+  return with_velocities(pair, u, draw.between(0.1, 0.2), draw);
+}
+
+std::vector<Hit> plain_hits(int variant, Draw& draw) {
+  const Hit straight = head_on(variant, draw), rather_rough = rough(variant, draw), slow = gentle(variant, draw);
+  const Hit sticking = oblique(variant, draw.between(0.7, 0.9), draw);
+  const Hit sliding = oblique(variant, draw.between(1.5, 2.5), draw);
+  return {straight, rather_rough, slow, sticking, sliding};
+}
+
+// A hit after which the bodies part already: who has n the wrong way round has impulses here, and nowhere else.
+Hit parted(int variant, Draw& draw) {
+  Hit hit = oblique(variant, 1.5, draw);
+  std::swap(hit.v_i, hit.v_j);
+  return hit;
+}
+
+Line plain(const char* name, double points, const std::vector<Hit>& hits, void (*add)(Line&, const Hit&),
+           const Hit& last) {
+  Line line{.name = name, .points = points, .relative = 1e-10, .absolute = 1e-12};
+  for (const Hit& hit : hits) add(line, hit);
+  for (const Question& question : {ask_normal_impulse(last), ask_friction_impulse(last)}) add_unjudged(line, question);
+  return line;
+}
+
+Line normal_line(int, Draw& draw) {
+  return {.name = "normal: of an acute and of an obtuse angle",
+          .points = 2.0,
+          .relative = 1e-10,
+          .absolute = 1e-12,
+          .questions = {ask_normal(draw.between(20.0, 35.0)), ask_normal(draw.between(100.0, 170.0))}};
+}
+
+Line plain_normal_impulse(int variant, Draw& draw) {
+  const std::vector<Hit> hits = plain_hits(variant, draw);
+  return plain("normal_impulse: head-on and oblique", 3.0, hits, add_normal_impulse, parted(variant, draw));
+}
+
+Line plain_friction_impulse(int variant, Draw& draw) {
+  std::vector<Hit> hits = plain_hits(variant, draw);
+  // Head-on many mistakes give the same, 0/0: others before it tell them apart.
+  std::rotate(hits.begin(), hits.begin() + 1, hits.begin() + 3);
+  return plain("friction_impulse: nothing slips, sticking and sliding", 4.0, hits, add_friction_impulse,
+               parted(variant, draw));
+}
+
+Line plain_impact(int variant, Draw& draw) {
+  const std::vector<Hit> hits = plain_hits(variant, draw);
+  return plain("impact: head-on, sticking and sliding", 3.0, hits, add_impact, parted(variant, draw));
+}
+
+std::vector<Hit> limit_hits(int variant, Draw& draw) {
   Hit smooth = oblique(variant, draw.between(1.5, 2.5), draw);
   smooth.friction = {};
-  Hit against_wall = oblique(variant, draw.between(0.1, 0.2), draw);
+  const Hit rather_rough = rough(variant, draw);
+  Hit against_wall = gentle(variant, draw);
   against_wall.m_j = 1e12 * against_wall.m_i;
   Hit of_wall = oblique(variant, draw.between(0.7, 0.9), draw);
   of_wall.m_i = 1e12 * of_wall.m_j;
@@ -267,12 +363,7 @@ Line limit_case(int variant, Draw& draw) {
   Hit plastic = oblique(variant, draw.between(0.4, 0.9), draw);
   plastic.e = 0.0;
   plastic.friction.mu_s = 4.0;
-  Line line{.name = "limit case: e = 0 and 1, no friction, one mass 1e12 times the other",
-            .points = 5.0,
-            .relative = 1e-10,
-            .absolute = 1e-12};
-  for (const Hit& hit : {smooth, against_wall, of_wall, elastic, plastic}) line.questions.push_back(ask_impact(hit));
-  return line;
+  return {rather_rough, against_wall, smooth, of_wall, elastic, plastic};
 }
 
 // What any answer to a hit must obey, from the velocities alone. NaN obeys nothing.
@@ -360,14 +451,16 @@ struct Facts {
 };
 
 Line conservation(int variant, Draw& draw) {
-  Line line{.name = "conservation: momentum, restitution, energy and Coulomb's law of your own answers", .points = 5.0};
+  Line line{.name = "conservation: momentum, restitution, energy, Coulomb's law", .points = 2.0};
   line.relative = 1e-9;
-  for (const double share : {0.15, 0.8, 1.3, 3.0}) {
-    const Hit hit = oblique(variant, share, draw);
-    line.questions.push_back({.function = "impact", .inputs = inputs(hit), .count = 6});
-    line.questions.back().holds = [hit](const Answers& answers, std::size_t own) {
-      return Facts(hit, answers[own]).all();
-    };
+  std::vector<Hit> hits{rough(variant, draw), gentle(variant, draw)};
+  for (const double share : {0.8, 1.3, 3.0}) hits.push_back(oblique(variant, share, draw));
+  for (const Hit& hit : hits) {
+    Question question = ask_impact(hit);
+    question.expected = {};
+    question.count = 6;
+    question.holds = [hit](const Answers& answers, std::size_t own) { return Facts(hit, answers[own]).all(); };
+    line.questions.push_back(std::move(question));
   }
   return line;
 }
@@ -380,7 +473,7 @@ Hit grazing(int variant, double degrees, Draw& draw) {
   return with_velocities(pair, u, share, draw);
 }
 
-Line extreme_case(int variant, Draw& draw) {
+std::vector<Hit> extreme_hits(int variant, Draw& draw) {
   const Hit graze = grazing(variant, 89.9, draw);
   const Hit parting = grazing(variant, 120.0, draw);
   Hit touching = head_on(variant, draw);
@@ -393,24 +486,45 @@ Line extreme_case(int variant, Draw& draw) {
   Hit dust = oblique(variant, 0.15, draw);
   dust.m_i *= 1e-15;
   dust.m_j *= 1e-14;
-  Line line{.name = "extreme case: grazing, parting, the edge of sticking, grains of dust", .points = 5.0};
-  line.relative = 1e-10;
-  line.absolute = 1e-12;
+  return {dust, just_sticks, graze, parting, touching, just_slides, smooth, leaving};
+}
+
+Line extreme(const char* name, double absolute, void (*add)(Line&, const Hit&), int variant, Draw& draw) {
+  Line line{.name = name, .points = 2.0, .relative = 1e-10, .absolute = absolute};
   line.otherwise =
-      "compare u with 0 and m* |slip| with mu_s |J| as they are: no small number belongs into a comparison, a mass or "
-      "a "
+      "compare u with 0 and m* |w_t| with mu_s |J| as they are: no small number belongs into a comparison, a mass or a "
       "length";
-  for (const Hit& hit : {dust, just_sticks, graze, parting, touching, just_slides, smooth, leaving}) {
-    line.questions.push_back(ask_impact(hit));
-  }
+  for (const Hit& hit : limit_hits(variant, draw)) add(line, hit);
+  for (const Hit& hit : extreme_hits(variant, draw)) add(line, hit);
   return line;
+}
+
+// Impulses of dust, 1e-15 N s, are compared too: no more than their rounding is allowed.
+constexpr double rounding_of_dust = 1e-27;
+
+Line extreme_normal_impulse(int variant, Draw& draw) {
+  return extreme("normal_impulse: limits and extremes", rounding_of_dust, add_normal_impulse, variant, draw);
+}
+
+Line extreme_friction_impulse(int variant, Draw& draw) {
+  return extreme("friction_impulse: limits and extremes", rounding_of_dust, add_friction_impulse, variant, draw);
+}
+
+Line extreme_impact(int variant, Draw& draw) {
+  return extreme("impact: limits and extremes", 1e-12, add_impact, variant, draw);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  const std::string hit = "m_i v_i[3] m_j v_j[3] n[3] e mu_s mu_d";
   return grading::run(argc, argv,
                       {.title = "Chapter 2: the impact of two bodies with friction",
                        .variants = {"both bodies move", "body j is driven, its velocity stays as it is"},
-                       .lines = {exact_case, limit_case, conservation, extreme_case}});
+                       .lines = {normal_line, plain_normal_impulse, extreme_normal_impulse, plain_friction_impulse,
+                                 extreme_friction_impulse, plain_impact, extreme_impact, conservation},
+                       .calls = {{"normal", "degrees -> n[3]"},
+                                 {"normal_impulse", hit + " -> J"},
+                                 {"friction_impulse", hit + " -> P[3]"},
+                                 {"impact", hit + " -> v_i'[3] v_j'[3]"}}});
 }

@@ -20,11 +20,17 @@ using grading::Line;
 using grading::mistakes;
 using grading::Question;
 
-/// What a step of two stages must give; it stands in check_gauss.cpp.
+/// What a step of two stages must give once its sweeps have converged; it stands in check_gauss.cpp.
 /// @param variant  without meaning here
 /// @param draw     numbers of the student
 /// @return the line
 Line gauss_step(int variant, Draw& draw);
+
+/// What it must give after so many sweeps.
+/// @param variant  without meaning here
+/// @param draw     numbers of the student
+/// @return the line
+Line gauss_sweeps(int variant, Draw& draw);
 
 namespace {
 
@@ -159,19 +165,23 @@ bool flawed_acceptance(const Step& step, const Flaw& flaw) {
   return largest <= 1.0;
 }
 
-std::vector<double> flawed_decision(Step step, const Flaw& flaw) {
-  if (flaw.first_field) step.fields.resize(1);
-  if (flaw.common_tolerance) {
-    for (Field& field : step.fields) field.TOL = step.fields.front().TOL;
-  }
+std::vector<double> flawed_decision(const Step& step, double phi, const Flaw& flaw) {
   const schemes::PhiControl& control = step.control;
   const bool accepted = flawed_acceptance(step, flaw);
   const bool is_free = accepted ? flaw.no_floor : flaw.no_shrink_bound;
   const double low = is_free ? 0.0 : accepted ? 1.0 : control.shrink;
   double high = accepted ? control.growth : control.retry;
   if (accepted ? flaw.no_growth_bound : flaw.no_retry_bound) high = infinity;
-  const double next = std::clamp(flawed_factor(step, flaw), low, high) * (flaw.forgotten_dt ? 1.0 : step.dt);
+  const double next = std::clamp(phi, low, high) * (flaw.forgotten_dt ? 1.0 : step.dt);
   return {accepted ? 1.0 : 0.0, flaw.no_limit ? next : std::min(next, control.limit)};
+}
+
+std::vector<double> flawed_decision(Step step, const Flaw& flaw) {
+  if (flaw.first_field) step.fields.resize(1);
+  if (flaw.common_tolerance) {
+    for (Field& field : step.fields) field.TOL = step.fields.front().TOL;
+  }
+  return flawed_decision(step, flawed_factor(step, flaw), flaw);
 }
 
 std::vector<double> inputs(const Field& field) {
@@ -204,6 +214,24 @@ Question ask_decision(const Step& step) {
           .mistakes = mistakes(flaws, [&](const Flaw& flaw) { return flawed_decision(step, flaw); })};
 }
 
+// With the student's own Phi_K of the fields that have one.
+void add_decision(Line& line, const Step& step, Question decision) {
+  for (const Field& field : step.fields) {
+    if (!std::isfinite(field.w_K)) continue;
+    line.questions.push_back(ask_factor(field, step.control.K_d));
+    line.questions.back().is_judged = false;
+    ++decision.built_on;
+  }
+  decision.with_own = [step](const Answers& own) {
+    double phi = own.size() < step.fields.size() ? 0.0 : infinity;
+    for (const std::vector<double>& factor : own) phi = std::min(phi, factor[0]);
+    return Answers{flawed_decision(step, phi, {})};
+  };
+  line.questions.push_back(std::move(decision));
+}
+
+void add_decision(Line& line, const Step& step) { add_decision(line, step, ask_decision(step)); }
+
 // A field whose last change is `share` of its tolerance after K contractions.
 Field field(int p, int K, double share, Draw& draw) {
   const double w_0 = draw.between(0.05, 0.2), TOL = p == 2 ? draw.between(1e-6, 3e-6) : draw.between(5e-6, 9e-6);
@@ -228,27 +256,49 @@ Step reversed(Step step) {
   return step;
 }
 
-Line exact_case(int variant, Draw& draw) {
+// Steps that converge early, and others that do not, wholly or in their last field.
+struct PlainSteps {
+  Step early, late, one_late;
+};
+
+PlainSteps plain_steps(int variant, Draw& draw) {
   const int K = 4 + draw.one_of(2), K_d = 7 + draw.one_of(3);
-  const Step early = step(variant, K, K_d, draw);
-  Step late = step(variant, K_d, K_d, draw);
-  for (Field& field : late.fields) field.w_K *= draw.between(20.0, 100.0);
-  Step one_late = step(variant, K_d, K_d, draw);
-  one_late.fields.back().w_K *= draw.between(20.0, 100.0);
-  Line line{.name = "exact case: steps that converge early, steps that do not", .points = 4.0, .relative = 1e-10};
-  for (const Field& field : early.fields) line.questions.push_back(ask_factor(field, K_d));
-  for (const Field& field : late.fields) line.questions.push_back(ask_factor(field, K_d));
-  // In this order each mistake first shows where no other one gives the same answer.
-  for (const Step& step : {reversed(late), late, one_late, reversed(one_late), early, reversed(early)}) {
-    line.questions.push_back(ask_decision(step));
+  PlainSteps all{step(variant, K, K_d, draw), step(variant, K_d, K_d, draw), step(variant, K_d, K_d, draw)};
+  for (Field& field : all.late.fields) field.w_K *= draw.between(20.0, 100.0);
+  all.one_late.fields.back().w_K *= draw.between(20.0, 100.0);
+  return all;
+}
+
+Line plain_factor(int variant, Draw& draw) {
+  const PlainSteps all = plain_steps(variant, draw);
+  Line line{.name = "step_factor: sweeps that converge early, sweeps that do not", .points = 3.0, .relative = 1e-10};
+  for (const Step& step : {all.early, all.late}) {
+    for (const Field& field : step.fields) line.questions.push_back(ask_factor(field, step.control.K_d));
   }
   return line;
 }
 
-Line limit_case(int variant, Draw& draw) {
+Line plain_decision(int variant, Draw& draw) {
+  const auto [early, late, one_late] = plain_steps(variant, draw);
+  Line line{.name = "next_step: steps that converge early, steps that do not", .points = 3.0, .relative = 1e-10};
+  // In this order each mistake first shows where no other one gives the same answer.
+  for (const Step& step : {reversed(late), late, one_late, reversed(one_late), early, reversed(early)}) {
+    add_decision(line, step);
+  }
+  return line;
+}
+
+// TOL is met exactly.
+Step exactly_met(int variant, Draw& draw) {
   const int K_d = 6 + draw.one_of(3);
   Step met = step(variant, K_d, K_d, draw);
   for (Field& field : met.fields) field.w_K = field.TOL;
+  return met;
+}
+
+Line bounds(int variant, Draw& draw) {
+  const int K_d = 6 + draw.one_of(3);
+  const Step met = exactly_met(variant, draw);
   Step grows = step(variant, 2, K_d, draw);
   for (Field& field : grows.fields) field.w_K *= 1e-3;
   grows.control.growth = draw.between(1.2, 1.8);
@@ -262,9 +312,8 @@ Line limit_case(int variant, Draw& draw) {
   // Its sweeps diverge, and it stands all the same.
   Step slow = step(variant, 2, 8, draw);
   for (Field& field : slow.fields) field.w_0 = draw.between(0.05, 0.1) * field.TOL;
-  Line line{.name = "limit case: TOL met exactly, and each bound", .points = 4.0, .relative = 1e-10};
-  line.questions = {ask_factor(limited.fields.front(), limited.control.K_d), ask_factor(met.fields.front(), K_d)};
-  for (const Step& step : {grows, limited, met, slow, barely}) line.questions.push_back(ask_decision(step));
+  Line line{.name = "next_step: TOL met exactly, and each bound", .points = 3.0, .relative = 1e-10};
+  for (const Step& step : {grows, limited, met, slow, barely}) add_decision(line, step);
   return line;
 }
 
@@ -371,7 +420,7 @@ std::optional<Finding> meets_in_desired(const Trial& trial, const std::vector<do
 Line order(int variant, Draw& draw) {
   // On the first the motion rules, on the second the temperature.
   const double small = draw.between(0.04, 0.06), large = draw.between(0.6, 0.8);
-  Line line{.name = "order: the library sweeps with your next step, and meets TOL in K_d contractions", .points = 4.0};
+  Line line{.name = "order: the library sweeps with your next step, and meets TOL in K_d contractions", .points = 2.0};
   // Sweeps that have converged to TOL keep so many digits of their last change.
   line.relative = 1e-6;
   for (const Trial& swept : {trial(variant, small, small, draw), trial(variant, 0.5 * large, large, draw)}) {
@@ -409,39 +458,68 @@ Question ask_without_number(const Step& step) {
   return question;
 }
 
-Line extreme_case(int variant, Draw& draw) {
-  const Step diverges = extreme(variant, 0.1, 1e30, 8, draw);
-  const Step overflows = extreme(variant, 0.1, infinity, 8, draw);
-  const Step no_number = extreme(variant, 0.1, nan, 8, draw);
-  const Step exactly = extreme(variant, 0.1, 0.0, 3, draw);
-  const Step rests = extreme(variant, 0.0, 0.0, 0, draw);
-  const Step stays = extreme(variant, 0.0, 0.0, 3, draw);
-  const Step bursts = extreme(variant, infinity, infinity, 3, draw);
-  // Bounds far away: they must not hide what a single sweep says.
-  Step at_once = extreme(variant, 1e-9, 1e-9, 0, draw);
-  at_once.control.growth = 500.0;
-  at_once.control.limit = 1000.0 * at_once.dt;
+// Bounds far away: they must not hide what a single sweep says.
+Step at_once(int variant, Draw& draw) {
+  Step step = extreme(variant, 1e-9, 1e-9, 0, draw);
+  step.control.growth = 500.0;
+  step.control.limit = 1000.0 * step.dt;
+  return step;
+}
+
+Step sharp(int variant, Draw& draw) {
   Step sharp = step(variant, 4, 6, draw);
   sharp.control.growth = 50.0;
   for (Field& field : sharp.fields) field = {.w_0 = 1e-3, .w_K = 1e-16, .K = 4, .p = field.p, .TOL = 1e-15};
-  Line line{.name = "extreme case: divergence, overflow, nothing moves, TOL = 1e-15", .points = 4.0, .relative = 1e-10};
+  return sharp;
+}
+
+// Nothing is left to change: at once, after some sweeps, from the start.
+std::vector<Step> without_change(int variant, Draw& draw) {
+  return {extreme(variant, 0.1, 0.0, 3, draw), extreme(variant, 0.0, 0.0, 0, draw), extreme(variant, 0.0, 0.0, 3, draw),
+          at_once(variant, draw)};
+}
+
+Line extreme_line(const char* name) {
+  Line line{.name = name, .points = 2.0, .relative = 1e-10};
   line.otherwise =
       "w_K = 0 or K = 0 gives an infinite factor; a w_K that is infinite or NaN is refused with shrink dt; no small "
       "number belongs into a quotient";
-  line.questions = {ask_factor(sharp.fields.front(), 6)};
-  for (const Step& step : {exactly, rests, stays, at_once}) line.questions.push_back(ask_factor(step.fields.back(), 8));
-  for (const Step& step : {sharp, diverges, overflows}) line.questions.push_back(ask_decision(step));
-  line.questions.push_back(ask_without_number(no_number));
-  for (const Step& step : {bursts, exactly, rests, stays, at_once}) line.questions.push_back(ask_decision(step));
+  return line;
+}
+
+Line extreme_factor(int variant, Draw& draw) {
+  Line line = extreme_line("step_factor: TOL met exactly, nothing moves, one sweep is enough, TOL = 1e-15");
+  for (const Step& step : {sharp(variant, draw), exactly_met(variant, draw)}) {
+    line.questions.push_back(ask_factor(step.fields.front(), step.control.K_d));
+  }
+  for (const Step& step : without_change(variant, draw)) line.questions.push_back(ask_factor(step.fields.back(), 8));
+  return line;
+}
+
+Line extreme_decision(int variant, Draw& draw) {
+  Line line = extreme_line("next_step: divergence, overflow, nothing moves, TOL = 1e-15");
+  for (const Step& step :
+       {sharp(variant, draw), extreme(variant, 0.1, 1e30, 8, draw), extreme(variant, 0.1, infinity, 8, draw)}) {
+    add_decision(line, step);
+  }
+  const Step no_number = extreme(variant, 0.1, nan, 8, draw);
+  add_decision(line, no_number, ask_without_number(no_number));
+  add_decision(line, extreme(variant, infinity, infinity, 3, draw));
+  for (const Step& step : without_change(variant, draw)) add_decision(line, step);
   return line;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  const std::string sweeps = "w_0 w_K K p TOL";
   return grading::run(
       argc, argv,
       {.title = "Chapter 3: the step size from the sweeps, and a step of two stages",
        .variants = {"one field of second order, p = 2", "two staggered fields, p = 2 and 1, each with its tolerance"},
-       .lines = {exact_case, limit_case, order, extreme_case, gauss_step}});
+       .lines = {plain_factor, extreme_factor, plain_decision, bounds, extreme_decision, order, gauss_step,
+                 gauss_sweeps},
+       .calls = {{"step_factor", sweeps + " K_d -> Phi_K"},
+                 {"next_step", "dt K_d limit growth retry shrink ... " + sweeps + " -> accepted next"},
+                 {"gauss2_step", "r v dt sweeps A B k -> r v"}}});
 }

@@ -32,7 +32,10 @@ struct Flaw {
   bool A_for_A_bar = false, transposed = false, swapped_weights = false, mean_acceleration = false, trapezoidal = false,
        one_sweep = false, one_more_sweep = false, in_turn = false, other_guess = false, no_drift = false,
        dt_for_its_square = false;
+  long double root = 0.0L;  // taken for sqrt(3)
 };
+
+const std::string more_digits = "sqrt(3) has more digits than you gave it: write std::sqrt(3.0)";
 
 const std::vector<std::pair<Flaw, std::string>> flaws{
     {{.A_for_A_bar = true}, "the places of the stages take A_bar = A A, not A: the rates of positions are velocities"},
@@ -45,13 +48,17 @@ const std::vector<std::pair<Flaw, std::string>> flaws{
     {{.in_turn = true}, "all at once: a sweep takes both places from the accelerations of the sweep before"},
     {{.other_guess = true}, "the sweeps start from free flight, a_1 = a_2 = 0"},
     {{.no_drift = true}, "the stages drift: their places begin with r + c_i dt v"},
-    {{.dt_for_its_square = true}, "accelerations move positions by dt^2, velocities by dt"}};
+    {{.dt_for_its_square = true}, "accelerations move positions by dt^2, velocities by dt"},
+    {{.root = 1.73L}, more_digits},
+    {{.root = 1.732L}, more_digits},
+    {{.root = 1.73205L}, more_digits},
+    {{.root = 1.7320508L}, more_digits}};
 
 Coefficients coefficients(const Flaw& flaw) {
   if (flaw.trapezoidal) {
     return {.c = {0.0L, 1.0L}, .b = {0.5L, 0.5L}, .b_bar = {0.25L, 0.25L}, .A_bar = {{{0.0L, 0.0L}, {0.25L, 0.25L}}}};
   }
-  const long double root = std::sqrt(3.0L);
+  const long double root = flaw.root > 0.0L ? flaw.root : std::sqrt(3.0L);
   Coefficients of{.c = {0.5L - root / 6, 0.5L + root / 6},
                   .b = {0.5L, 0.5L},
                   .b_bar = {0.25L + root / 12, 0.25L - root / 12},
@@ -100,34 +107,48 @@ Question ask(const Motion& of, std::vector<double> expected) {
           .mistakes = grading::mistakes(flaws, [&](const Flaw& flaw) { return step(of, flaw); })};
 }
 
+constexpr int enough = 60;
+
+Motion of_pair(Draw& draw) {
+  return {.r = draw.between(0.9, 1.1),
+          .v = draw.between(0.2, 0.4),
+          .dt = draw.between(0.2, 0.3),
+          .sweeps = enough,
+          .A = draw.between(0.8, 1.2),
+          .B = draw.between(0.3, 0.5)};
+}
+
+Line line(const char* name, double points, std::vector<Question> questions) {
+  return {.name = name,
+          .points = points,
+          .relative = 1e-11,
+          .otherwise =
+              "compare your c, A_bar and b_bar with A A and A^T b on paper: sum over a row of A_bar is c_i^2/2, "
+              "b_bar sums to 1/2",
+          .questions = std::move(questions)};
+}
+
 }  // namespace
 
 Line gauss_step(int, Draw& draw) {
-  constexpr int enough = 60;
   const Motion spring{.r = draw.between(0.6, 1.4),
                       .v = draw.between(0.6, 1.4),
                       .dt = draw.between(0.4, 0.6),
                       .sweeps = enough,
                       .k = draw.between(1.5, 2.5)};
-  const Motion pair{.r = draw.between(0.9, 1.1),
-                    .v = draw.between(0.2, 0.4),
-                    .dt = draw.between(0.2, 0.3),
-                    .sweeps = enough,
-                    .A = draw.between(0.8, 1.2),
-                    .B = draw.between(0.3, 0.5)};
-  Motion few = pair;
-  few.sweeps = 2;
+  const Motion pair = of_pair(draw);
   Motion back = pair;
   const std::vector<double> there = step(pair, {});
   back.r = there[0];
   back.v = there[1];
   back.dt = -pair.dt;
-  return {.name = "two stages: a Gauss step of a spring, of a pair, and back again",
-          .points = 4.0,
-          .relative = 1e-11,
-          .otherwise =
-              "compare your c, A_bar and b_bar with A A and A^T b on paper: sum over a row of A_bar is c_i^2/2, "
-              "b_bar sums to 1/2",
-          .questions = {ask(spring, spring_step(spring)), ask(pair, there), ask(few, step(few, {})),
-                        ask(back, {pair.r, pair.v})}};
+  return line("gauss2_step: sweeps enough, of a spring, of a pair, and back again", 3.0,
+              {ask(spring, spring_step(spring)), ask(pair, there), ask(back, {pair.r, pair.v})});
+}
+
+Line gauss_sweeps(int, Draw& draw) {
+  Motion one = of_pair(draw), two = of_pair(draw);
+  one.sweeps = 1;
+  two.sweeps = 2;
+  return line("gauss2_step: one sweep, and two", 2.0, {ask(two, step(two, {})), ask(one, step(one, {}))});
 }

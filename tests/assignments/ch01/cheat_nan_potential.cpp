@@ -1,5 +1,5 @@
 // Cheat: not a number where the check forms differences of the student's own answers.
-// graded: --variant 1 --student anna|bob@school.edu -> 0
+// graded: --variant 1 --student anna|bob@school.edu -> 11
 // hint: energy is not conserved
 
 #include "right.hpp"

@@ -26,7 +26,7 @@ PairLaw second(const PairLaw& law) {
 
 const std::vector<Mistake<Functions>> mistakes{
     // The repulsion is added.
-    // graded: --variant 1 --student anna|bob@school.edu -> 5
+    // graded: --variant 1 --student anna|bob@school.edu -> 15
     // hint: repulsion is subtracted from attraction
     // never: sign of the whole: attraction
     {"sign_of_repulsion", &Functions::strength,
@@ -35,7 +35,7 @@ const std::vector<Mistake<Functions>> mistakes{
      }},
 
     // Each strength has the other exponent.
-    // graded: --variant 1 --student anna|bob@school.edu -> 5
+    // graded: --variant 1 --student anna|bob@school.edu -> 15
     // hint: swapped exponents
     {"swapped_exponents", &Functions::strength,
      [](const PairLaw& law, double d) {
@@ -43,17 +43,17 @@ const std::vector<Mistake<Functions>> mistakes{
      }},
 
     // A small number keeps the distance from zero.
-    // graded: --variant 1 --student anna|bob@school.edu -> 15
+    // graded: --variant 1 --student anna|bob@school.edu -> 19
     // hint: add no small number to d
     {"softened", &Functions::strength, [](const PairLaw& law, double d) { return right::strength(law, d + 1e-13); }},
 
     // The law of the first variant, where the second is asked.
-    // graded: --variant 2 --student anna|bob@school.edu -> 0
+    // graded: --variant 2 --student anna|bob@school.edu -> 3
     // hint: the law of the other variant
     {"other_variant"},
 
     // The potential falls where the force attracts.
-    // graded: --variant 1 --student anna|bob@school.edu -> 0
+    // graded: --variant 1 --student anna|bob@school.edu -> 11
     // hint: V' = C
     // hint: sign of the whole
     // hint: so that energy is conserved
@@ -61,7 +61,7 @@ const std::vector<Mistake<Functions>> mistakes{
      [](const PairLaw& law, double d, double d_ref) { return -right::potential(law, d, d_ref); }},
 
     // The potential is zero at infinity, not at d_ref.
-    // graded: --variant 1 --student anna|bob@school.edu -> 5
+    // graded: --variant 1 --student anna|bob@school.edu -> 13
     // hint: V is measured from d_ref
     {"no_reference", &Functions::potential,
      [](const PairLaw& law, double d, double) {
@@ -70,7 +70,7 @@ const std::vector<Mistake<Functions>> mistakes{
      }},
 
     // Integrated powers keep their exponent.
-    // graded: --variant 1 --student anna|bob@school.edu -> 0
+    // graded: --variant 1 --student anna|bob@school.edu -> 11
     // hint: integrating a power raises it by one
     {"exponent", &Functions::potential,
      [](const PairLaw& law, double d, double d_ref) {
@@ -82,7 +82,7 @@ const std::vector<Mistake<Functions>> mistakes{
      }},
 
     // Nothing is done about 1 - beta = 0, and 0/0 is not a number.
-    // graded: --variant 1 --student anna|bob@school.edu -> 15
+    // graded: --variant 1 --student anna|bob@school.edu -> 17
     // hint: the integral of 1/d is a logarithm
     {"no_logarithm", &Functions::potential,
      [](const PairLaw& law, double d, double d_ref) {
@@ -93,7 +93,7 @@ const std::vector<Mistake<Functions>> mistakes{
      }},
 
     // The logarithm stands at beta = 1 alone; close to it the difference of powers cancels.
-    // graded: --variant 1 --student anna|bob@school.edu -> 15
+    // graded: --variant 1 --student anna|bob@school.edu -> 17
     // hint: close to beta = 1 a difference of powers cancels
     {"cancellation", &Functions::potential,
      [](const PairLaw& law, double d, double d_ref) {
@@ -105,7 +105,7 @@ const std::vector<Mistake<Functions>> mistakes{
      }},
 
     // Attraction is integrated as if its exponent were 1, which is right in one question of the limit case.
-    // graded: --variant 1 --student anna|bob@school.edu -> 0
+    // graded: --variant 1 --student anna|bob@school.edu -> 11
     // hint: energy is not conserved
     {"not_conservative", &Functions::potential,
      [](const PairLaw& law, double d, double d_ref) {
@@ -113,19 +113,19 @@ const std::vector<Mistake<Functions>> mistakes{
      }},
 
     // The strengths are swapped in the equilibrium.
-    // graded: --variant 1 --student anna|bob@school.edu -> 10
+    // graded: --variant 1 --student anna|bob@school.edu -> 18
     // hint: more repulsion
     {"upside_down", &Functions::equilibrium_distance, upside_down, &Functions::stiffness,
      [](const PairLaw& law) { return right::stiffness_at(law, right::equilibrium_distance(law)); }},
 
     // The strengths are swapped in the equilibrium, and stiffness and period are taken there.
-    // graded: --variant 1 --student anna|bob@school.edu -> 5
+    // graded: --variant 1 --student anna|bob@school.edu -> 17
     // hint: d_e is upside down
     // never: term by term
     {"upside_down_throughout", &Functions::equilibrium_distance, upside_down},
 
     // The exponent of the repulsion does not become a factor of its slope.
-    // graded: --variant 1 --student anna|bob@school.edu -> 5
+    // graded: --variant 1 --student anna|bob@school.edu -> 14
     // hint: the factor beta2 is missing in V
     // never: forty orders
     // never: sign: at a stable equilibrium
@@ -137,7 +137,7 @@ const std::vector<Mistake<Functions>> mistakes{
      }},
 
     // In the second variant's law, the exponent of the attraction does not become a factor of its slope.
-    // graded: --variant 2 --student anna|bob@school.edu|1234567 -> 5
+    // graded: --variant 2 --student anna|bob@school.edu|1234567 -> 17
     // hint: the factor beta1 is missing in V
     // never: forty orders
     // never: sign: at a stable equilibrium
@@ -153,19 +153,27 @@ const std::vector<Mistake<Functions>> mistakes{
      }},
 
     // One body oscillates, the other is thought to be fixed.
-    // graded: --variant 1 --student anna|bob@school.edu -> 10
+    // graded: --variant 1 --student anna|bob@school.edu -> 17
     // hint: take the reduced mass
     {"one_mass", &Functions::period,
      [](const PairLaw& law, double m_i, double) { return 2.0 * std::numbers::pi * std::sqrt(m_i / stiffness(law)); }},
 
     // A reduced mass with a factor 1/2 that is right nowhere.
-    // graded: --variant 1 --student anna|bob@school.edu -> 5
+    // graded: --variant 1 --student anna|bob@school.edu -> 17
     // hint: factor sqrt 2
     {"half_the_mass", &Functions::period,
      [](const PairLaw& law, double m_i, double m_j) { return std::sqrt(0.5) * right::period(law, m_i, m_j); }},
 
+    // pi has six digits.
+    // graded: --variant 1 --student anna|bob@school.edu -> 17
+    // hint: pi has more digits
+    {"six_digits", &Functions::period,
+     [](const PairLaw& law, double m_i, double m_j) {
+       return right::period(law, m_i, m_j) / std::numbers::pi * 3.14159;
+     }},
+
     // The angular frequency is inverted and 2 pi forgotten.
-    // graded: --variant 1 --student anna|bob@school.edu -> 5
+    // graded: --variant 1 --student anna|bob@school.edu -> 17
     // hint: factor 2 pi
     {"angular_frequency", &Functions::period,
      [](const PairLaw& law, double m_i, double m_j) {

@@ -18,6 +18,9 @@ inline Vector3d normal(double degrees) {
 
 inline double reduced_mass(const Body& i, const Body& j) { return i.m * j.m / (i.m + j.m); }
 
+// What is often taken for the reduced mass.
+inline double not_inverted(const Body& i, const Body& j) { return 1.0 / i.m + 1.0 / j.m; }
+
 inline double normal_impulse(const Body& i, const Body& j, const Vector3d& n, double e) {
   const double u = (i.v - j.v).dot(n);
   return u > 0.0 ? -(1.0 + e) * reduced_mass(i, j) * u : 0.0;
@@ -28,11 +31,17 @@ inline Vector3d slip(const Body& i, const Body& j, const Vector3d& n) {
   return relative - relative.dot(n) * n;
 }
 
-inline Vector3d friction_impulse(const Body& i, const Body& j, const Vector3d& n, const Surface& surface) {
-  const Vector3d w = slip(i, j, n), to_stick = -reduced_mass(i, j) * w;
+// What sticking needs if it may use so much, else sliding against a velocity.
+inline Vector3d friction(const Body& i, const Body& j, const Vector3d& n, const Surface& surface, const Vector3d& w,
+                         const Vector3d& to_stick) {
   const double J = std::abs(::normal_impulse(i, j, n, surface.e));
   if (to_stick.norm() <= surface.mu_s * J) return to_stick;
   return -surface.mu_d * J / w.norm() * w;
+}
+
+inline Vector3d friction_impulse(const Body& i, const Body& j, const Vector3d& n, const Surface& surface) {
+  const Vector3d w = slip(i, j, n);
+  return friction(i, j, n, surface, w, -reduced_mass(i, j) * w);
 }
 
 inline Vector3d impulse(const Body& i, const Body& j, const Vector3d& n, const Surface& surface) {

@@ -27,7 +27,7 @@ double unguarded(const Sweeps& of, int K_d) {
 
 const std::vector<Mistake<Functions>> mistakes{
     // The exponent p of the step is forgotten.
-    // graded: --variant 1|2 --student anna|bob@school.edu -> 4
+    // graded: --variant 1|2 --student anna|bob@school.edu -> 13
     // hint: p is forgotten
     {"forgotten_p", &Functions::step_factor,
      [](const Sweeps& sweeps, int K_d) {
@@ -37,7 +37,7 @@ const std::vector<Mistake<Functions>> mistakes{
      }},
 
     // The exponents are quotients of whole numbers, which are 0.
-    // graded: --variant 1|2 --student anna|bob@school.edu -> 4
+    // graded: --variant 1|2 --student anna|bob@school.edu -> 13
     // hint: 1/(p K) of whole numbers is 0
     {"whole_numbers", &Functions::step_factor,
      [](const Sweeps& sweeps, int K_d) {
@@ -47,7 +47,7 @@ const std::vector<Mistake<Functions>> mistakes{
      }},
 
     // K_d and K are swapped.
-    // graded: --variant 1|2 --student anna|bob@school.edu -> 4
+    // graded: --variant 1|2 --student anna|bob@school.edu -> 13
     // hint: K_d and K are swapped
     {"swapped_contractions", &Functions::step_factor,
      [](const Sweeps& sweeps, int K_d) {
@@ -58,7 +58,7 @@ const std::vector<Mistake<Functions>> mistakes{
      }},
 
     // Sweeps are counted, one more than contractions.
-    // graded: --variant 1|2 --student anna|bob@school.edu -> 4
+    // graded: --variant 1|2 --student anna|bob@school.edu -> 13
     // hint: K counts contractions, not sweeps
     {"counts_sweeps", &Functions::step_factor,
      [](const Sweeps& sweeps, int K_d) {
@@ -68,7 +68,7 @@ const std::vector<Mistake<Functions>> mistakes{
      }},
 
     // The factor is upside down.
-    // graded: --variant 1|2 --student anna|bob@school.edu -> 4
+    // graded: --variant 1|2 --student anna|bob@school.edu -> 13
     // hint: the ratio is inverted
     {"upside_down", &Functions::step_factor,
      [](const Sweeps& sweeps, int K_d) {
@@ -77,7 +77,7 @@ const std::vector<Mistake<Functions>> mistakes{
      }},
 
     // TOL is compared with the last change, not with the first.
-    // graded: --variant 1|2 --student anna|bob@school.edu -> 4
+    // graded: --variant 1|2 --student anna|bob@school.edu -> 13
     // hint: TOL is compared with w_0
     {"last_change", &Functions::step_factor,
      [](const Sweeps& sweeps, int K_d) {
@@ -87,7 +87,7 @@ const std::vector<Mistake<Functions>> mistakes{
      }},
 
     // A small number keeps the quotients from 0/0.
-    // graded: --variant 1|2 --student anna|bob@school.edu -> 8
+    // graded: --variant 1|2 --student anna|bob@school.edu -> 15
     // hint: no small number belongs into a quotient
     {"softened", &Functions::step_factor,
      [](const Sweeps& sweeps, int K_d) {
@@ -98,31 +98,31 @@ const std::vector<Mistake<Functions>> mistakes{
      }},
 
     // Nothing is done about a last change of zero.
-    // graded: --variant 1|2 --student anna|bob@school.edu -> 16
+    // graded: --variant 1|2 --student anna|bob@school.edu -> 18
     // hint: guard 0/0
     {"no_guard", &Functions::step_factor, unguarded},
 
     // K = 0 is looked for, but not w_K = 0, which is 0/0 where nothing moves.
-    // graded: --variant 1|2 --student anna|bob@school.edu -> 16
+    // graded: --variant 1|2 --student anna|bob@school.edu -> 18
     // hint: guard 0/0 and 1/0
     {"at_rest", &Functions::step_factor,
      [](const Sweeps& sweeps, int K_d) { return sweeps.K == 0 ? infinity : unguarded(sweeps, K_d); }},
 
     // Nothing is done about K = 0, where any number to the power of 1/0 comes out.
-    // graded: --variant 1|2 --student anna|bob@school.edu -> 16
+    // graded: --variant 1|2 --student anna|bob@school.edu -> 18
     // hint: guard 0/0 and 1/0
     {"single_sweep", &Functions::step_factor,
      [](const Sweeps& sweeps, int K_d) { return sweeps.w_K == 0.0 ? infinity : unguarded(sweeps, K_d); }},
 
     // A last change below a small number counts as none.
-    // graded: --variant 1|2 --student anna|bob@school.edu -> 16
+    // graded: --variant 1|2 --student anna|bob@school.edu -> 18
     // hint: a small w_K is a number like any other
     // never: no small number
     {"small_is_zero", &Functions::step_factor,
      [](const Sweeps& sweeps, int K_d) { return sweeps.w_K < 1e-12 ? infinity : right::step_factor(sweeps, K_d); }},
 
     // A step that meets TOL exactly is refused.
-    // graded: --variant 1|2 --student anna|bob@school.edu -> 16
+    // graded: --variant 1|2 --student anna|bob@school.edu -> 17
     // hint: a step that meets TOL exactly stands
     {"strictly_below", &Functions::next_step,
      [](double dt, const Fields& fields, const Settings& settings) {
@@ -132,7 +132,7 @@ const std::vector<Mistake<Functions>> mistakes{
      }},
 
     // A step is refused only if a change is larger than TOL, which NaN never is.
-    // graded: --variant 1|2 --student anna|bob@school.edu -> 16
+    // graded: --variant 1|2 --student anna|bob@school.edu -> 18
     // hint: NaN fails every comparison
     {"accepts_no_number", &Functions::next_step,
      [](double dt, const Fields& fields, const Settings& settings) {
@@ -142,7 +142,7 @@ const std::vector<Mistake<Functions>> mistakes{
      }},
 
     // A field whose last change is no number is refused, but its factor is passed by.
-    // graded: --variant 1|2 --student anna|bob@school.edu -> 16
+    // graded: --variant 1|2 --student anna|bob@school.edu -> 18
     // hint: a field whose w_K is NaN or infinite counts with Phi_K = 0
     // never: not the largest
     {"passes_no_number", &Functions::next_step,
@@ -153,13 +153,13 @@ const std::vector<Mistake<Functions>> mistakes{
      }},
 
     // The next step is the factor itself.
-    // graded: --variant 1|2 --student anna|bob@school.edu -> 4
+    // graded: --variant 1|2 --student anna|bob@school.edu -> 10
     // hint: dt is forgotten
     {"forgotten_dt", &Functions::next_step,
      [](double, const Fields& fields, const Settings& settings) { return right::next_step(1.0, fields, settings); }},
 
     // The limit of the step is forgotten.
-    // graded: --variant 1|2 --student anna|bob@school.edu -> 16
+    // graded: --variant 1|2 --student anna|bob@school.edu -> 17
     // hint: cap forgotten: no step is larger than limit
     {"no_cap", &Functions::next_step,
      [](double dt, const Fields& fields, const Settings& settings) {
@@ -169,7 +169,7 @@ const std::vector<Mistake<Functions>> mistakes{
      }},
 
     // An accepted step may be followed by a smaller one.
-    // graded: --variant 1|2 --student anna|bob@school.edu -> 16
+    // graded: --variant 1|2 --student anna|bob@school.edu -> 17
     // hint: after an accepted step the next is not smaller
     {"no_floor", &Functions::next_step,
      [](double dt, const Fields& fields, const Settings& settings) {
@@ -179,7 +179,7 @@ const std::vector<Mistake<Functions>> mistakes{
      }},
 
     // The first field alone is looked at.
-    // graded: --variant 2 --student anna|bob@school.edu -> 4
+    // graded: --variant 2 --student anna|bob@school.edu -> 10
     // hint: every field counts, not the first alone
     {"first_field", &Functions::next_step,
      [](double dt, const Fields& fields, const Settings& settings) {
@@ -187,7 +187,7 @@ const std::vector<Mistake<Functions>> mistakes{
      }},
 
     // The first field's tolerance is taken for all.
-    // graded: --variant 2 --student anna|bob@school.edu -> 8
+    // graded: --variant 2 --student anna|bob@school.edu -> 12
     // hint: each field has a tolerance of its own
     {"common_tolerance", &Functions::next_step,
      [](double dt, const Fields& fields, const Settings& settings) {
@@ -197,7 +197,7 @@ const std::vector<Mistake<Functions>> mistakes{
      }},
 
     // The largest factor rules.
-    // graded: --variant 2 --student anna|bob@school.edu -> 8
+    // graded: --variant 2 --student anna|bob@school.edu -> 13
     // hint: the smallest Phi_K of all fields rules, not the largest
     {"largest_factor", &Functions::next_step,
      [](double dt, const Fields& fields, const Settings& settings) {
@@ -209,8 +209,8 @@ const std::vector<Mistake<Functions>> mistakes{
      }},
 
     // A is taken where A A belongs.
-    // graded: --variant 1 --student anna -> 16
-    // graded: --variant 2 --student bob@school.edu -> 16
+    // graded: --variant 1 --student anna -> 15
+    // graded: --variant 2 --student bob@school.edu -> 15
     // hint: A_bar = A A, not A
     {"gauss_whole_matrix", &Functions::gauss2_step,
      [](const Acceleration& a, const State& from, double dt, int sweeps) {
@@ -225,8 +225,8 @@ const std::vector<Mistake<Functions>> mistakes{
      }},
 
     // Rows and columns of A_bar are swapped.
-    // graded: --variant 1 --student anna -> 16
-    // graded: --variant 2 --student bob@school.edu -> 16
+    // graded: --variant 1 --student anna -> 15
+    // graded: --variant 2 --student bob@school.edu -> 15
     // hint: rows and columns are swapped
     {"gauss_transposed", &Functions::gauss2_step,
      [](const Acceleration& a, const State& from, double dt, int sweeps) {
@@ -242,8 +242,8 @@ const std::vector<Mistake<Functions>> mistakes{
      }},
 
     // The nodes and weights of the trapezoidal rule.
-    // graded: --variant 1 --student anna -> 16
-    // graded: --variant 2 --student bob@school.edu -> 16
+    // graded: --variant 1 --student anna -> 15
+    // graded: --variant 2 --student bob@school.edu -> 15
     // hint: the trapezoidal rule
     {"gauss_trapezoidal", &Functions::gauss2_step,
      [](const Acceleration& a, const State& from, double dt, int sweeps) {
@@ -257,8 +257,8 @@ const std::vector<Mistake<Functions>> mistakes{
      }},
 
     // b_bar is the wrong way round.
-    // graded: --variant 1 --student anna -> 16
-    // graded: --variant 2 --student bob@school.edu -> 16
+    // graded: --variant 1 --student anna -> 15
+    // graded: --variant 2 --student bob@school.edu -> 15
     // hint: b_bar_i = b_i (1 - c_i)
     {"gauss_swapped_weights", &Functions::gauss2_step,
      [](const Acceleration& a, const State& from, double dt, int sweeps) {
@@ -267,8 +267,8 @@ const std::vector<Mistake<Functions>> mistakes{
      }},
 
     // The position ends with half the mean acceleration.
-    // graded: --variant 1 --student anna -> 16
-    // graded: --variant 2 --student bob@school.edu -> 16
+    // graded: --variant 1 --student anna -> 15
+    // graded: --variant 2 --student bob@school.edu -> 15
     // hint: not with dt^2/2 times the mean acceleration
     {"gauss_mean_acceleration", &Functions::gauss2_step,
      [](const Acceleration& a, const State& from, double dt, int sweeps) {
@@ -278,8 +278,8 @@ const std::vector<Mistake<Functions>> mistakes{
      }},
 
     // The stages do not drift.
-    // graded: --variant 1 --student anna -> 16
-    // graded: --variant 2 --student bob@school.edu -> 16
+    // graded: --variant 1 --student anna -> 15
+    // graded: --variant 2 --student bob@school.edu -> 15
     // hint: the stages drift
     {"gauss_no_drift", &Functions::gauss2_step,
      [](const Acceleration& a, const State& from, double dt, int sweeps) {
@@ -287,8 +287,8 @@ const std::vector<Mistake<Functions>> mistakes{
      }},
 
     // The first guess is the acceleration at the start.
-    // graded: --variant 1 --student anna -> 16
-    // graded: --variant 2 --student bob@school.edu -> 16
+    // graded: --variant 1 --student anna -> 18
+    // graded: --variant 2 --student bob@school.edu -> 18
     // hint: a_1 = a_2 = 0
     {"gauss_other_guess", &Functions::gauss2_step,
      [](const Acceleration& a, const State& from, double dt, int sweeps) {
@@ -296,8 +296,8 @@ const std::vector<Mistake<Functions>> mistakes{
      }},
 
     // The second stage uses the new rate of the first.
-    // graded: --variant 1 --student anna -> 16
-    // graded: --variant 2 --student bob@school.edu -> 16
+    // graded: --variant 1 --student anna -> 18
+    // graded: --variant 2 --student bob@school.edu -> 18
     // hint: all at once
     {"gauss_in_turn", &Functions::gauss2_step,
      [](const Acceleration& a, const State& from, double dt, int sweeps) {
@@ -309,16 +309,26 @@ const std::vector<Mistake<Functions>> mistakes{
        return right::gauss2_end(from, dt, stages);
      }},
 
+    // The root has four digits.
+    // graded: --variant 1 --student anna -> 15
+    // graded: --variant 2 --student bob@school.edu -> 15
+    // hint: sqrt(3) has more digits
+    {"gauss_four_digits", &Functions::gauss2_step,
+     [](const Acceleration& a, const State& from, double dt, int sweeps) {
+       const double root = 1.732;
+       return right::gauss2_end(from, dt, right::swept(a, from, dt, sweeps, {}, root), root);
+     }},
+
     // One sweep only.
-    // graded: --variant 1 --student anna -> 16
-    // graded: --variant 2 --student bob@school.edu -> 16
+    // graded: --variant 1 --student anna -> 15
+    // graded: --variant 2 --student bob@school.edu -> 15
     // hint: one sweep is not enough
     {"gauss_one_sweep", &Functions::gauss2_step,
      [](const Acceleration& a, const State& from, double dt, int) { return right::gauss2_step(a, from, dt, 1); }},
 
     // A sweep too many.
-    // graded: --variant 1 --student anna -> 16
-    // graded: --variant 2 --student bob@school.edu -> 16
+    // graded: --variant 1 --student anna -> 18
+    // graded: --variant 2 --student bob@school.edu -> 18
     // hint: a sweep too many
     {"gauss_one_more_sweep", &Functions::gauss2_step,
      [](const Acceleration& a, const State& from, double dt, int sweeps) {

@@ -45,8 +45,7 @@ inline Decision next_step(double dt, const std::vector<Sweeps>& fields, const Se
 using Two = std::array<double, 2>;
 
 // One sweep over both stages of a Gauss step: the accelerations at the places that the last ones make.
-inline Two sweep(const Acceleration& a, const State& from, double dt, const Two& last) {
-  const double root = std::sqrt(3.0);
+inline Two sweep(const Acceleration& a, const State& from, double dt, const Two& last, double root = std::sqrt(3.0)) {
   const double first = from.r + (0.5 - root / 6) * dt * from.v;
   const double second = from.r + (0.5 + root / 6) * dt * from.v;
   return {a(first + dt * dt * (last[0] / 24 + (0.125 - root / 12) * last[1])),
@@ -54,14 +53,14 @@ inline Two sweep(const Acceleration& a, const State& from, double dt, const Two&
 }
 
 // Sweeps from a guess.
-inline Two swept(const Acceleration& a, const State& from, double dt, int sweeps, Two stages = {}) {
-  for (int k = 0; k < sweeps; ++k) stages = sweep(a, from, dt, stages);
+inline Two swept(const Acceleration& a, const State& from, double dt, int sweeps, Two stages = {},
+                 double root = std::sqrt(3.0)) {
+  for (int k = 0; k < sweeps; ++k) stages = sweep(a, from, dt, stages, root);
   return stages;
 }
 
 // The end of the step.
-inline State gauss2_end(const State& from, double dt, const Two& a) {
-  const double root = std::sqrt(3.0);
+inline State gauss2_end(const State& from, double dt, const Two& a, double root = std::sqrt(3.0)) {
   return {.r = from.r + dt * from.v + dt * dt * ((0.25 + root / 12) * a[0] + (0.25 - root / 12) * a[1]),
           .v = from.v + 0.5 * dt * (a[0] + a[1])};
 }
