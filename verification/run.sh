@@ -103,7 +103,7 @@ if [[ -n $(missing_packages docs) ]]; then docs=OFF; fi
 quietly cmake --preset release -DPARTICULATE_DOCS=$docs
 
 stage build
-targets=(compare_rows)
+targets=(compare_runs)
 for name in "${chapters[@]}"; do targets+=("verify_$name"); done
 built --target "${targets[@]}"
 
@@ -164,7 +164,7 @@ fi
 
 # compare [<chapter>]: a row that got worse or is gone counts as a failure.
 compare() {
-  "$root/build/release/bin/compare_rows" "$against${1:+/$1}" "$out${1:+/$1}" || failed+=("comparison (status $?)")
+  "$root/build/release/bin/compare_runs" "$against${1:+/$1}" "$out${1:+/$1}" || failed+=("comparison (status $?)")
 }
 
 if [[ -n $against ]]; then
