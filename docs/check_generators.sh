@@ -200,6 +200,7 @@ ch01,period,the period is \pi,D 1.36,closed form,T [s],3.141592653589793,3.14159
 ch01,period,the period is \pi,D 1.36,closed form,E [J],1,nan,nan,relative,1e-12,product,fail,quick,0.01
 ch01,race,orders,D 1.4.1,convergence,"pair, RK4: slope",4,4.02,0.02,order,0.2,theory,pass,quick,0.01
 H
+printf 'chapter,case,source\nch01,period,ch01_fundamentals/closed_orbits.cpp\nch01,race,ch01_fundamentals/race.cpp\n' >run/cases.csv
 printf 'chapter,case,must,verdict,reason\nch01,a,refused,refused,coincident\nch01,b,solved,wrong,off\n' >run/stability.csv
 cat >run/work_precision.csv <<'H'
 chapter,problem,method,setting,tuned,error_end,error_max,floor,reference,seconds_min,seconds_median,seconds_overhead,evaluations,iterations,status
@@ -212,8 +213,9 @@ H
 refuses 2 'a run that ended' "$guide" pages pages work ch01_fundamentals=run
 echo '{"revision": "abc", "seed": 7}' >run/stamp.json
 "$guide" pages pages work ch01_fundamentals=run
-holds pages/verify_ch01.md '# Chapter 1: Fundamentals, verified {#verify_ch01}' '<td class="number">2</td><td>1 closed form, 1 convergence</td>' \
-  '<tr class="bad"><td>E [J]</td>' 'the period is &#92;pi.' '{#verify_ch01_period}' '<tr class="bad"><td>b</td>' \
+holds pages/verify_ch01.md '# Chapter 1: Fundamentals, verified {#verify_ch01}' '<td class="number">1</td><td>1 closed form, 1 convergence</td>' \
+  '<tr class="bad"><td>E [J]</td>' '### Closed orbits' '<details class="claim bad" open><summary>The period is &#92;pi.' \
+  '@anchor verify_ch01_period' '<details class="claim"><summary>Orders.' '<tr class="bad"><td>b</td>' \
   '<td>CVODE Adams</td><td class="number">0.001</td><td>failed: too much work</td>' '<td>revision</td><td>abc</td>' \
   'are not drawn: 1 here' '@image html ch01_work_pair_seconds.svg'
 holds pages/verification_guide.md '<tr class="bad"><td><a href="verify_ch01.html">' '@subpage verify_ch01'

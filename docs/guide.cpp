@@ -263,59 +263,59 @@ std::string references(const Counts& counts) {
   return escaped(fmt::format("{}", fmt::join(parts, ", ")));
 }
 
+// What is short stands first: a table that is too wide hides its end.
 Strings summary_row(const Counts& counts) {
-  return {fmt::format("{}", counts.claims),   references(counts),
-          fmt::format("{}", counts.rows),     fmt::format("{}", counts.failures),
-          fmt::format("{}", counts.extremes), fmt::format("{}", counts.extreme_failures)};
+  return {fmt::format("{}", counts.claims),           fmt::format("{}", counts.rows),
+          fmt::format("{}", counts.failures),         fmt::format("{}", counts.extremes),
+          fmt::format("{}", counts.extreme_failures), references(counts)};
 }
-const Strings summary_columns{"Claims",         "Checked against", "Rows",
-                              "Rows that fail", "Extreme cases",   "Extreme cases that fail"};
+const Strings summary_columns{"Claims",         "Rows", "Rows that fail", "Extreme cases", "that end otherwise",
+                              "Checked against"};
 
 // Metrics that have no tolerance: the expected value is a bound, or the only one allowed.
 bool is_bound(const std::string& metric) {
   return metric == "at most" || metric == "at least" || metric == "equal" || metric == "verdict";
 }
 
-// Every claim with its verdict, each leading to its rows: the page's table of contents.
-std::string claims_table(const Csv& rows) {
-  HtmlTable table{.columns = {"Claim", "In the monograph", "Checked against", "Rows", "Fail", "Case"}};
-  for (const Case& c : cases_of(rows)) {
-    const std::size_t first = c.rows.front();
-    const auto failed = std::count_if(c.rows.begin(), c.rows.end(), [&](std::size_t i) { return fails(rows, i); });
-    table.rows.push_back({escaped(rows.at(first, "claim")), equation_link(rows.at(first, "equation")),
-                          escaped(rows.at(first, "reference")), fmt::format("{}", c.rows.size()),
-                          fmt::format("{}", failed),
-                          fmt::format("<a href=\"#verify_{0}_{1}\">{1}</a>", rows.at(first, "chapter"), c.name)});
-    table.bad.push_back(failed > 0);
-  }
-  return html(table);
-}
-
-// "spring: runs with another start" is about a measurement, "spring, RK4: slope of the error" about a method.
-bool is_about_measuring(const Case& c, const std::string& quantity) {
-  return c.name.starts_with("work_precision") && quantity.find(": ") < quantity.find(", ");
-}
-
+// One line a claim, which opens to its rows; what fails is open.
 std::string claim_section(const Csv& rows, const Case& c) {
   const std::size_t first = c.rows.front();
-  std::string out = fmt::format("### {0} {{#verify_{1}_{0}}}\n", c.name, rows.at(first, "chapter"));
-  out += block(fmt::format(
-      "<p>{}.</p><p class=\"facts\">In the monograph: {} &middot; checked against: {} &middot; {} run</p>\n",
-      escaped(rows.at(first, "claim")), equation_link(rows.at(first, "equation")), escaped(rows.at(first, "reference")),
-      escaped(rows.at(first, "run"))));
-  HtmlTable claimed{.columns = {"Quantity", "Expected", "Computed", "Error", "Tolerance", "Because", "Verdict"}};
-  HtmlTable measuring = claimed;
+  HtmlTable table{.columns = {"Quantity", "Expected", "Computed", "Error", "Tolerance", "Because", "Verdict"}};
+  std::size_t failed = 0;
   for (const std::size_t i : c.rows) {
-    HtmlTable& table = is_about_measuring(c, rows.at(i, "quantity")) ? measuring : claimed;
     const bool bound = is_bound(rows.at(i, "metric"));
     table.rows.push_back({escaped(rows.at(i, "quantity")), rounded(rows.at(i, "expected"), 10),
                           rounded(rows.at(i, "computed"), 10), bound ? "" : rounded(rows.at(i, "error"), 2),
                           (bound ? "" : rounded(rows.at(i, "tolerance"), 3) + " ") + escaped(rows.at(i, "metric")),
                           escaped(rows.at(i, "because")), escaped(rows.at(i, "verdict"))});
     table.bad.push_back(fails(rows, i));
+    failed += fails(rows, i);
   }
-  if (!claimed.rows.empty()) out += block(folded(claimed, "rows that hold"));
-  if (!measuring.rows.empty()) out += block(folded(measuring, "rows that hold about the measurement itself"));
+  const std::string facts =
+      fmt::format("<code>{}</code> &middot; {} &middot; {} &middot; {} row{}{}", c.name,
+                  equation_link(rows.at(first, "equation")), escaped(rows.at(first, "reference")), c.rows.size(),
+                  c.rows.size() == 1 ? "" : "s", failed == 0 ? "" : fmt::format(", {} failed", failed));
+  return fmt::format(
+      "@anchor verify_{}_{}\n@htmlonly[block]\n<details class=\"claim{}><summary>{}. <span class=\"facts\">{}</span>"
+      "</summary>\n{}</details>\n@endhtmlonly\n\n",
+      rows.at(first, "chapter"), c.name, failed == 0 ? "\"" : " bad\" open",
+      escaped(capitalized(rows.at(first, "claim"))), facts,
+      failed == 0 ? html(table) : folded(table, "rows that hold"));
+}
+
+// The claims of a chapter, theme by theme, that is by the source they stand in.
+std::string claims_section(const Csv& rows, const Csv& cases) {
+  std::map<std::string, std::string> themes;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    std::string theme = fs::path(cases.at(i, "source")).stem().string();
+    std::replace(theme.begin(), theme.end(), '_', ' ');
+    themes[cases.at(i, "case")] = capitalized(theme);
+  }
+  std::string out, theme;
+  for (const Case& c : cases_of(rows)) {
+    if (themes[c.name] != theme) out += fmt::format("### {}\n\n", theme = themes[c.name]);
+    out += claim_section(rows, c);
+  }
   return out;
 }
 
@@ -600,14 +600,14 @@ std::string all_points(const Csv& work, const std::string& problem) {
     }
     table.rows.push_back(cells);
   }
-  return block(
-      "<details><summary>All points of these figures. Overhead: seconds with the right-hand side replayed from a "
-      "recording, so the method's own work.</summary>\n" +
-      html(table) + "</details>\n");
+  return "Every point. Overhead: seconds with the right-hand side replayed from a recording, so the method's own "
+         "work.\n" +
+         block(html(table));
 }
 
 // Writes a diagram's data and returns its part of the page; its commands are added to the script.
-std::string draw(const Diagram& diagram, const std::string& chapter, const fs::path& figures, std::string& script) {
+std::string draw(const Diagram& diagram, const Csv& work, const std::string& chapter, const fs::path& figures,
+                 std::string& script) {
   const std::string name = fmt::format("{}_work_{}", chapter, slug(diagram.problem));
   const bool anything = !drawn(diagram).empty();
   if (anything) {
@@ -619,8 +619,11 @@ std::string draw(const Diagram& diagram, const std::string& chapter, const fs::p
       block(fmt::format("<p>Reference: {}, good to {:.2g}. Points within a factor {} of that, a shaded "
                         "band where it is near, are not drawn: {} here.</p>\n",
                         escaped(diagram.reference), diagram.floor, above_floor, diagram.at_floor));
-  if (anything) out += fmt::format("@image html {}_seconds.svg\n@image html {}_evaluations.svg\n\n", name, name);
-  return out + failure_table(diagram);
+  if (anything) out += fmt::format("@image html {}_seconds.svg\n\n", name);
+  out += failure_table(diagram) +
+         "@htmlonly[block]<details><summary>Against right-hand sides, and every point</summary>@endhtmlonly\n\n";
+  if (anything) out += fmt::format("@image html {}_evaluations.svg\n\n", name);
+  return out + all_points(work, diagram.problem) + "@htmlonly[block]</details>@endhtmlonly\n\n";
 }
 
 std::string work_section(const Chapter& chapter, const Csv& rows, const fs::path& figures) {
@@ -629,13 +632,15 @@ std::string work_section(const Chapter& chapter, const Csv& rows, const fs::path
   for (Diagram& diagram : diagrams_of(work)) {
     diagram.title = title_of(diagram, rows);
     read_orders(diagram, rows);
-    out += draw(diagram, chapter.name(), figures, script) + all_points(work, diagram.problem);
+    out += draw(diagram, work, chapter.name(), figures, script);
   }
   report::write_whole(figures / (chapter.name() + "_work.gp"), script);
   return "Across: the error attained, the largest over the times compared, never a tolerance that was asked for. Up: "
          "what\n"
-         "it cost, first in seconds (the least of the repeats; the whisker ends at their median), then in right-hand\n"
-         "sides, which repeat exactly. Filled marks are methods of this library, open marks with broken lines are\n"
+         "it cost: in seconds (the least of the repeats; the whisker ends at their median), and, folded below each, "
+         "in\n"
+         "right-hand sides, which repeat exactly. Filled marks are methods of this library, open marks with broken "
+         "lines are\n"
          "SUNDIALS. Methods of fixed step show the order fitted to their points, and a thin line with the slope of "
          "their theory.\n\n" +
          out;
@@ -654,14 +659,20 @@ Counts write_chapter_page(const Chapter& chapter, const fs::path& out, const fs:
   }
   std::string page = fmt::format("# {}, verified {{#{}}}\n\n", chapter.title(), chapter.page());
   page += fmt::format(
-      "This page is made from what `{0}` wrote when the documentation was built; how to read it is told in\n"
+      "This page is made from what `{0}` wrote in a {3} run when the documentation was built; how to read it is told "
+      "in\n"
       "the @ref verification_guide. The chapter itself: @ref {1}. Further down:\n"
       "[extreme cases](#guide_{2}_extremes), [error against run time](#guide_{2}_work), "
       "[the run](#guide_{2}_run).\n",
-      chapter.page(), chapter.slug, chapter.name());
-  page += block(html({.columns = summary_columns, .rows = {summary_row(counts)}, .bad = {counts.failures > 0}}));
-  page += fmt::format("## Claims {{#guide_{}_claims}}\n\n", chapter.name()) + block(claims_table(rows));
-  for (const Case& c : cases_of(rows)) page += claim_section(rows, c);
+      chapter.page(), chapter.slug, chapter.name(), rows.at(0, "run"));
+  page += block(html({.columns = summary_columns,
+                      .rows = {summary_row(counts)},
+                      .bad = {counts.failures + counts.extreme_failures > 0}}));
+  page += fmt::format(
+      "## Claims {{#guide_{}_claims}}\n\nEach opens to its rows: what was expected, computed and allowed, "
+      "and why.\n\n",
+      chapter.name());
+  page += claims_section(rows, Csv(chapter.data / "cases.csv"));
   if (extremes && extremes->size() > 0) {
     page += fmt::format("## Extreme cases {{#guide_{}_extremes}}\n\n", chapter.name()) + stability_section(*extremes);
   }
@@ -693,8 +704,8 @@ One row compares one number. The *expected* value comes from outside the code it
 | design | what the library promises of itself: a refusal, a count |
 
 The *tolerance* stands in the case with the reason for its size; a NaN, a missing result or an exception fails. *Extreme*
-cases say beforehand whether they must be solved or refused, and the other outcome is a failure. Tables of rows that hold
-are folded: a click opens them.
+cases say beforehand whether they must be solved or refused, and the other outcome is a failure. A claim that holds is one
+line, which opens to its rows; what fails is open.
 The pages show a quick run: it drops no claim, but shortens sizes, repeats and sweeps. The full run is
 `./verification/run.sh`. Whether all of this would notice a mistake has been tried with planted ones: @ref teeth.
 

@@ -30,7 +30,7 @@ loses() {
   done
 }
 
-for program in "$bin"/ch[0-9]* "$bin"/verify_* "$bin/compare_rows"; do loses "$program" --help; done
+for program in "$bin"/ch[0-9]* "$bin"/verify_* "$bin/compare_runs"; do loses "$program" --help; done
 for program in "$bin"/verify_*; do loses "$program" --list; done
 for script in verification/run.sh tests/run.sh verification/defects/teeth.sh \
   chapters/assignments/{check,grade}.sh; do
@@ -71,10 +71,18 @@ for signal in KILL INT TERM; do
     [[ ! -e mixed/$stale ]] || complain "$stale of another run must not stand beside new tables (SIG$signal)"
   done
   grep -qx 'e = 0.25' mixed/parameters.toml || complain "the parameters must be those of the run that wrote the tables"
-  "$bin/compare_rows" mixed mixed 2>said >&2 && complain "what reads results must refuse a run that was cut short"
+  "$bin/compare_runs" mixed mixed 2>said >&2 && complain "what reads results must refuse a run that was cut short"
 done
 "$chapter" --quick --out mixed >said || complain "a later run must end well: $(<said)"
 finished mixed || complain "a later run must clear up: $(ls -A mixed)"
 grep -qx 'e = 0.5' mixed/parameters.toml || complain "a later run must write its parameters"
+
+# --- Two runs compared ---------------------------------------------------------------------------------------------------
+"$bin/compare_runs" full mixed >said || complain "equal runs must be the same to the last digit: $(<said)"
+grep -qx 'columns that differ: 0' said || complain "equal runs must differ nowhere: $(<said)"
+"$chapter" --quick --out softer --e 0.45 >said || complain "a run with another restitution must end well: $(<said)"
+"$bin/compare_runs" full softer >said && complain "runs with other parameters must differ"
+grep -qx '  e: 0.5 -> 0.45' said || complain "the parameter that differs must be named: $(<said)"
+grep -qE '^impacts|^phases' said || complain "the tables that differ must be named: $(<said)"
 
 ((wrong == 0)) && echo 'every program says when its output is lost, and leaves the results of one run'

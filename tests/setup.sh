@@ -1,22 +1,25 @@
 # Shared by tests/run.sh, verification/run.sh and .ci/run: finds out what is missing on this machine and installs it.
 # Sourced, not run:
 #
-#   setup_option --yes       takes --yes and --no-install; false for any other word
+#   setup_option --yes       takes --yes, --no-install and --verbose; false for any other word
 #   set_up build docs lint   makes these sets of tools and libraries present, or ends the script
 #
 # shellcheck shell=bash
 
 setup_answer=unasked # yes: install without asking, no: never install
+verbose=no
 
 # Printed by the --help of those who source this.
 # shellcheck disable=SC2034
 setup_help='  --yes             install missing packages without asking
-  --no-install      install nothing: list what is missing, and fail if something is'
+  --no-install      install nothing: list what is missing, and fail if something is
+  --verbose         print all that happens, not failures and summaries alone'
 
 setup_option() {
   case $1 in
     --yes) setup_answer=yes ;;
     --no-install) setup_answer=no ;;
+    --verbose) verbose=yes ;;
     *) return 1 ;;
   esac
 }
@@ -165,6 +168,27 @@ set_up() {
   mapfile -t missing < <(missing_packages "$@")
   if [[ ${#missing[@]} -ne 0 ]]; then
     refuse "apt-get ended well, yet these are still not found." "${missing[@]}"
+  fi
+}
+
+# quietly <command>...: what it prints is shown if it fails, and with --verbose.
+quietly() {
+  local said status=0
+  if [[ $verbose == yes ]]; then
+    "$@"
+    return
+  fi
+  said=$("$@" 2>&1) || status=$?
+  if [[ $status -ne 0 ]]; then printf '%s\n' "$said" >&2; fi
+  return "$status"
+}
+
+# built <arguments>...: builds the release preset. On a terminal its progress is one line that overwrites itself.
+built() {
+  if [[ -t 1 ]]; then
+    cmake --build --preset release "$@"
+  else
+    quietly cmake --build --preset release "$@"
   fi
 }
 

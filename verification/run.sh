@@ -10,8 +10,9 @@ usage() {
   cat <<END
 usage: verification/run.sh [options]
 
-Installs what is missing, builds, runs every chapter's verification program, prints one table a chapter, and ends
-with status 1 if any claim fails. A full run takes less than ten minutes after the build, a quick one less than two.
+Installs what is missing, builds, runs every chapter's verification program, prints one table a chapter and every
+failure in full, and ends with status 1 if any claim fails. All rows stand in rows.csv.
+A full run takes less than ten minutes after the build, a quick one less than two.
 
   --quick           smaller sizes and fewer repeats; no claim is dropped
   --chapter NAME    only this chapter, ch01 for instance; may be repeated
@@ -34,13 +35,13 @@ value_of() {
   if [[ $2 -lt 2 || -z $3 || $3 == --* ]]; then wrong "$1 needs a value"; fi
 }
 
-run=--full
+run=(--full)
 out=$root/build/verification
 against=
 chosen=()
 while [[ $# -gt 0 ]]; do
   case $1 in
-    --quick) run=--quick ;;
+    --quick) run=(--quick) ;;
     --chapter | --out | --against)
       value_of "$1" $# "${2:-}"
       case $1 in
@@ -99,12 +100,12 @@ cd "$root"
 # The documentation needs more than verification does: it is left out where that is missing.
 docs=ON
 if [[ -n $(missing_packages docs) ]]; then docs=OFF; fi
-cmake --preset release -DPARTICULATE_DOCS=$docs
+quietly cmake --preset release -DPARTICULATE_DOCS=$docs
 
 stage build
-targets=(compare_rows)
+targets=(compare_runs)
 for name in "${chapters[@]}"; do targets+=("verify_$name"); done
-cmake --build --preset release --target "${targets[@]}"
+built --target "${targets[@]}"
 
 # joined <file>: the chapters' tables of that name under one header. A chapter that died is left out.
 joined() {
@@ -134,6 +135,7 @@ merge() {
 
 # What a run that is cut short leaves must not look like one that ended.
 rm -f "$out"/{rows,work_precision,stability}.csv "$out/stamp.json"
+if [[ $verbose == yes ]]; then run+=(--verbose); fi
 started=$out/.started
 touch "$started"
 finished=()
@@ -141,7 +143,7 @@ failed=()
 for name in "${chapters[@]}"; do
   stage "$name"
   status=0
-  "$root/build/release/bin/verify_$name" "$run" --out "$out/$name" || status=$?
+  "$root/build/release/bin/verify_$name" "${run[@]}" --out "$out/$name" || status=$?
   if [[ $status -ne 0 ]]; then failed+=("$name (status $status)"); fi
   # A program that died has left no results, or those of an earlier run.
   if [[ $out/$name/rows.csv -nt $started && $out/$name/stamp.json -nt $started ]]; then
@@ -162,7 +164,7 @@ fi
 
 # compare [<chapter>]: a row that got worse or is gone counts as a failure.
 compare() {
-  "$root/build/release/bin/compare_rows" "$against${1:+/$1}" "$out${1:+/$1}" || failed+=("comparison (status $?)")
+  "$root/build/release/bin/compare_runs" "$against${1:+/$1}" "$out${1:+/$1}" || failed+=("comparison (status $?)")
 }
 
 if [[ -n $against ]]; then

@@ -170,9 +170,9 @@ const Case restitution_velocity_dependent{
      .reference = Reference::independent_method},
     [](Rows& rows) {
       by_hand(rows);
-      compare(rows, {.e_o = 0.8, .v_star = 10.0, .e_minus = 0.2}, "e_o = 0.8, v* = 10, floor 0.2");
-      compare(rows, {.e_o = 1.0, .v_star = 1e-3, .e_minus = 0.0}, "e_o = 1, v* = 1e-3, no floor");
-      compare(rows, {.e_o = 0.7, .v_star = 1e5, .e_minus = 0.7}, "floor = e_o = 0.7");
+      compare(rows, {.e_o = 0.8, .v_star = 10.0, .e_minus = 0.2}, "e_o = 0.8, v* = 10, least e 0.2");
+      compare(rows, {.e_o = 1.0, .v_star = 1e-3, .e_minus = 0.0}, "e_o = 1, v* = 1e-3, no least e");
+      compare(rows, {.e_o = 0.7, .v_star = 1e5, .e_minus = 0.7}, "least e = e_o = 0.7");
       compare(rows, {.e_o = 0.9}, "e_o = 0.9, no critical speed");
       compare(rows, {.e_o = 0.0, .v_star = 1.0, .e_minus = 0.0}, "e_o = 0");
     }};

@@ -41,7 +41,8 @@ Begin by_roots(const reference::Events& events, const Change& change) {
 
 const Case bouncing{
     {.name = "work_precision_bouncing",
-     .claim = "error against run time of sixteen balls that bounce: stepped contact is of first order, roots are not",
+     .claim = "error against run time of sixteen balls that bounce: stepped contact has order 1, what finds the "
+              "impacts is not held to it",
      .equation = "R 2.2",
      .reference = Reference::closed_form},
     [](Rows& rows) {
@@ -114,7 +115,8 @@ schemes::State by_bisection(ThreeBodyScene& scene, schemes::State state, double 
 
 const Case three_bodies{
     {.name = "work_precision_three_bodies",
-     .claim = "error against run time of three bodies that collide: stepped contact is of first order, roots are not",
+     .claim = "error against run time of three bodies that collide: stepped contact has order 1, what finds the "
+              "impacts is not held to it",
      .equation = "R 2.2",
      .reference = Reference::sundials},
     [](Rows& rows) {
@@ -143,7 +145,7 @@ const Case three_bodies{
           "three_body_near_field claims two-sided of their means";
       rows.work_precision(
           {.problem = "three_bodies",
-           .reference = "ARKODE Fehlberg 8(7) with bisected impacts; floor: how far CVODE with roots is from it",
+           .reference = "ARKODE Fehlberg 8(7) with bisected impacts, checked by CVODE with root finding",
            .floor = std::max(disagreement, 1e-14),
            .competitors = {
                with_slope(1.0, competitor("RK4, stepped contact", race, steps, at_fixed_step<schemes::RungeKutta4>()),

@@ -258,7 +258,8 @@ Watched<C> compare_restored(Rows& rows, const std::string& method, const Problem
                                              .computed = static_cast<double>(adaptive.outcome.rejections),
                                              .because = "settings that provoke refusals, or nothing is shown"});
   rows.none("numbers that differ from a run without refusals, " + method, differ, "a refused step leaves no trace");
-  rows.none("steps refused in the replay, " + method, replayed.outcome.rejections, "only accepted steps are tried");
+  rows.none("steps refused where only the accepted ones are tried, " + method, replayed.outcome.rejections,
+            "only accepted steps are tried");
   rows.none("steps that do not start where the last one ended, " + method, adaptive.broken,
             "the observer sees every state once as from and once as to");
   const Outcome& out = adaptive.outcome;

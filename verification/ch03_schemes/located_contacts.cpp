@@ -163,11 +163,11 @@ void compare(Rows& rows, const std::string& which, const kinematics::Particles& 
     rows.at_most("worst contact time against CVODE's [s]" + which + how,
                  {.limit = bounds.location,
                   .computed = worst_time(*run, exact),
-                  .because = "CVODE's own floor of 1e-11; " + by_impacts});
+                  .because = "CVODE's own error of 1e-11; " + by_impacts});
     rows.at_most("state at the end against CVODE's [m, m/s]" + which + how,
                  {.limit = bounds.location,
                   .computed = difference(*run, exact),
-                  .because = "CVODE's own floor of 1e-11; " + by_impacts});
+                  .because = "CVODE's own error of 1e-11; " + by_impacts});
     rows.at_most("deepest overlap [m]" + which + how,
                  {.limit = 1e-12, .computed = run->outcome.overlap, .because = "the rounding of a contact's place"});
   }

@@ -433,7 +433,7 @@ void compare_limits(Rows& rows) {
                 .steps = limits,
                 .errors = errors,
                 .floor = 1e-9,
-                .because = "every step is Dt_lim; floor: what TOL = 1e-6 leaves"});
+                .because = "every step is Dt_lim; below 1e-9 lies what TOL = 1e-6 leaves"});
   }
 }
 

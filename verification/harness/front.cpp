@@ -88,7 +88,7 @@ void compare_fronts(Rows& rows, const std::string& problem, const Party& sundial
                      ratio});
         }
         if (measure.name != measures().front().name || claim.at_least[i] == 0.0) continue;
-        rows.at_least(fmt::format("{}, {}: evaluations of the best of SUNDIALS over its own, at an error of {:.0e}",
+        rows.at_least(fmt::format("{}, {}: times as many evaluations of SUNDIALS at its best, at an error of {:.0e}",
                                   problem, claim.party.name, error),
                       {.limit = claim.at_least[i], .computed = ratio, .because = claim.because});
       }

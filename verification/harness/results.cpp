@@ -5,11 +5,14 @@
 
 #include <fmt/format.h>
 
+#include <particulate/report/wrapped.hpp>
+
 namespace verification {
 namespace {
 
 using particulate::report::Cell;
 using particulate::report::Table;
+using particulate::report::wrapped;
 
 Cell cell(const std::optional<double>& number) { return number ? Cell(*number) : Cell(); }
 
@@ -86,21 +89,23 @@ Table cases_table(const std::string& chapter, const std::vector<CaseResult>& res
   return table;
 }
 
-std::string summary(const std::vector<CaseResult>& results) {
-  Table table({"case", "quantity", "expected", "computed", "error", "metric", "tolerance", "verdict"});
-  for (const CaseResult& result : results) {
-    for (const Row& row : result.rows) {
-      table.add({result.claim.name, row.quantity, row.expected.readable(), row.computed.readable(), row.error,
-                 row.metric, row.tolerance, row.passed ? "pass" : "FAIL"});
-    }
+std::string row_in_brief(const Row& row) {
+  std::string text = fmt::format("  {}  {}: ", row.passed ? "pass" : "FAIL", row.quantity);
+  if (row.metric == "at most" || row.metric == "at least") {
+    text += fmt::format("{}, {} {}", row.computed.readable(), row.metric, row.expected.readable());
+  } else {
+    text += fmt::format("{}, expected {}", row.computed.readable(), row.expected.readable());
   }
-  return table.text();
+  if (!row.error.is_missing() && row.metric != "equal" && !row.metric.starts_with("at ")) {
+    text += fmt::format(", error {} ({}), tolerance {}", row.error.readable(), row.metric, row.tolerance.readable());
+  }
+  return wrapped(text, 8) + '\n';
 }
 
 std::string failure_in_full(const CaseResult& result, const Row& row) {
-  std::string text = fmt::format("FAILED {}: {}\n", result.claim.name, row.quantity);
+  std::string text = wrapped(fmt::format("FAILED {}: {}", result.claim.name, row.quantity), 2) + '\n';
   const auto line = [&](const char* what, const std::string& said) {
-    if (!said.empty()) text += fmt::format("  {:<10}{}\n", what, said);
+    if (!said.empty()) text += wrapped(fmt::format("  {:<10}{}", what, said), 12) + '\n';
   };
   line("claim", fmt::format("{} ({})", result.claim.claim, result.claim.equation));
   line("expected", row.expected.exact());

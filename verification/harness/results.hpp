@@ -46,9 +46,9 @@ particulate::report::Table stability_table(const std::string& chapter, const std
 /// @return the table written as cases.csv: what is claimed, and in which file it is proved
 particulate::report::Table cases_table(const std::string& chapter, const std::vector<CaseResult>& results);
 
-/// @param results  of every case that ran
-/// @return one line a row for a terminal
-std::string summary(const std::vector<CaseResult>& results);
+/// @param row  of a case
+/// @return its quantity and numbers in a line for a terminal, or two
+std::string row_in_brief(const Row& row);
 /// @param result  of one case
 /// @param row     one of its rows that failed
 /// @return everything about it, for a terminal

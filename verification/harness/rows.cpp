@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace verification {
 namespace {
@@ -62,8 +63,10 @@ std::string wrong_points(const Convergence& points) {
   }
   for (std::size_t i = 0; i < steps.size(); ++i) {
     if (!(errors[i] >= floors_below * floor && errors[i] <= largest_error)) {
-      return fmt::format("every error must lie in [1000 floors, 1e-2] = [{:.3g}, {:.3g}], got {:.3g} at step {:.3g}",
-                         floors_below * floor, largest_error, errors[i], steps[i]);
+      return fmt::format(
+          "every error must lie in [{:.3g}, {:.3g}] (1000 times that of the reference, and 1e-2), got {:.3g} at step "
+          "{:.3g}",
+          floors_below * floor, largest_error, errors[i], steps[i]);
     }
     const double factor = i == 0 ? 2.0 : steps[i - 1] / steps[i];
     if (!(steps[i] > 0.0 && factor >= least_refinement * (1.0 - 1e-12) && factor <= largest_refinement)) {
@@ -208,7 +211,7 @@ void Rows::must_be_refused(const std::string& name, const std::string& key_words
   Row row{.quantity = name,
           .expected = "refused",
           .metric = "verdict",
-          .because = fmt::format("the reason must name: {}", key_words)};
+          .because = fmt::format("the reason given must have the words: {}", fmt::join(words_of(key_words), ", "))};
   if (const Ending::Answer* answer = ending.answer()) {
     row.error = answer->error, row.tolerance = answer->tolerance;
     const std::string wrong = wrong_answer(*answer);

@@ -84,9 +84,9 @@ class Rows {
 
   /// Measures error against run time: lines of work_precision.csv, and rows for what must hold of a measurement.
   ///
-  /// The rows: the slope of every method that has one; and that all methods did the same task, their settings are at
-  /// most half a decade apart, counts repeated in every run and in the replay, every run that claims an answer has an
-  /// error, every method solved something, and one of them is a ruler with a slope.
+  /// The rows: the slope of every method that has one; and one that all methods did the same task, their settings are
+  /// at most half a decade apart, counts repeated in every run and in the replay, every run that claims an answer has
+  /// an error, every method solved something, and one of them is a ruler with a slope.
   /// @param measurement  the problem and its competitors
   void work_precision(const WorkPrecision& measurement);
 

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <iostream>
 #include <set>
 #include <stdexcept>
+#include <tuple>
 
 #include <fmt/format.h>
 
@@ -17,6 +19,7 @@
 #include <particulate/report/progress.hpp>
 #include <particulate/report/spelling.hpp>
 #include <particulate/report/stamp.hpp>
+#include <particulate/report/wrapped.hpp>
 
 namespace verification {
 namespace {
@@ -47,7 +50,9 @@ void check(const std::vector<const Case*>& cases) {
 
 std::vector<const Case*> sorted_cases() {
   std::vector<const Case*> cases = registry();
-  std::sort(cases.begin(), cases.end(), [](const Case* a, const Case* b) { return a->claim().name < b->claim().name; });
+  std::sort(cases.begin(), cases.end(), [](const Case* a, const Case* b) {
+    return std::tie(a->source(), a->claim().name) < std::tie(b->source(), b->claim().name);
+  });
   check(cases);
   return cases;
 }
@@ -79,18 +84,46 @@ std::string listed(const std::vector<const Case*>& cases) {
   return table.text();
 }
 
-std::vector<CaseResult> prove_all(const std::vector<const Case*>& cases, const Rows::Settings& settings) {
+// More cases than fit a screen are printed by theme, that is by source file.
+constexpr std::size_t screen_lines = 40;
+
+// How one case ended, or several.
+struct Tally {
+  std::size_t cases = 0, rows = 0, failed = 0;
+  double seconds = 0.0;
+
+  void add(const CaseResult& result) {
+    ++cases, rows += result.rows.size(), failed += result.failed(), seconds += result.seconds;
+  }
+  std::string line(const std::string& name) const {
+    return fmt::format("{}  {:<45}  {:>5} {:<4}  {:>8.2f} s{}\n", failed == 0 ? "pass" : "FAIL", name, rows,
+                       rows == 1 ? "row" : "rows", seconds, failed == 0 ? "" : fmt::format("  {} failed", failed));
+  }
+};
+
+std::vector<CaseResult> prove_all(const std::vector<const Case*>& cases, const Rows::Settings& settings, bool verbose) {
   std::vector<CaseResult> results;
   if (cases.empty()) return results;
+  const bool by_theme = !verbose && cases.size() > screen_lines;
   report::Progress progress("cases", static_cast<double>(cases.size()), 0.0);
-  for (const Case* one : cases) {
-    progress.label(one->claim().name);
-    progress.at(static_cast<double>(results.size()));
-    results.push_back(prove(*one, settings));
+  Tally theme;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    progress.label(cases[i]->claim().name);
+    progress.at(static_cast<double>(i));
+    const CaseResult& result = results.emplace_back(prove(*cases[i], settings));
     progress.wipe();
-    const CaseResult& result = results.back();
-    fmt::print("{}  {:<40} {:>4} rows  {:>8.3f} s\n", result.failed() == 0 ? "pass" : "FAIL", result.claim.name,
-               result.rows.size(), result.seconds);
+    Tally alone;
+    alone.add(result), theme.add(result);
+    if (!by_theme || alone.failed > 0) fmt::print("{}", alone.line(result.claim.name));
+    for (const Row& row : result.rows) {
+      if (verbose) fmt::print("{}", row_in_brief(row));
+    }
+    if (i + 1 == cases.size() || cases[i + 1]->source() != result.source) {
+      const std::string name = std::filesystem::path(result.source).stem().native();
+      if (by_theme)
+        fmt::print("{}", theme.line(fmt::format("{}, {} case{}", name, theme.cases, theme.cases == 1 ? "" : "s")));
+      theme = {};
+    }
     std::fflush(stdout);
   }
   return results;
@@ -104,18 +137,24 @@ void write_all(const report::Output& output, const std::string& chapter, const s
   output.write("stability", stability_table(chapter, results));
 }
 
-// Prints the table and every failure in full; the exit status is the verdict.
-int conclude(const std::vector<CaseResult>& results, std::string_view chapter, std::string_view title) {
-  std::size_t rows = 0, failed = 0;
-  fmt::print("\n{}: {}\n\n{}\n", chapter, title, summary(results));
+// Of a case, that many failures are printed in full: what breaks all its rows breaks them alike.
+constexpr std::size_t failures_in_full = 5;
+
+// Prints the failures, and what the run comes to; the exit status is the verdict.
+int conclude(const std::vector<CaseResult>& results, bool verbose) {
+  Tally all;
   for (const CaseResult& result : results) {
-    rows += result.rows.size(), failed += result.failed();
+    all.add(result);
+    std::size_t failed = 0;
     for (const Row& row : result.rows) {
-      if (!row.passed) fmt::print("{}\n", failure_in_full(result, row));
+      if (!row.passed && (++failed <= failures_in_full || verbose)) fmt::print("\n{}", failure_in_full(result, row));
+    }
+    if (failed > failures_in_full && !verbose) {
+      fmt::print("\n{}: {} more rows failed; --verbose prints them\n", result.claim.name, failed - failures_in_full);
     }
   }
-  fmt::print("{} rows, {} failed\n", rows, failed);
-  return failed == 0 && rows > 0 ? 0 : 1;
+  fmt::print("\n{} rows, {} failed\n", all.rows, all.failed);
+  return all.failed == 0 && all.rows > 0 ? 0 : 1;
 }
 
 int run_cases(const report::CommandLine& command, std::string_view chapter, std::string_view title) {
@@ -128,12 +167,16 @@ int run_cases(const report::CommandLine& command, std::string_view chapter, std:
   const report::Output output(common.out);
   const std::string kernel(particulate::laws::name(particulate::laws::best_kernel()));
   const report::Stamp stamp = report::make_stamp(command.line(), common.seed, kernel);
-  fmt::print("{}\n\n", report::one_line(stamp));
+  fmt::print("{}: {}, {} run\n{}\n\n", chapter, title, common.quick ? "quick" : "full",
+             report::wrapped(report::one_line(stamp)));
   const std::vector<CaseResult> results =
-      prove_all(cases, {.quick = common.quick, .seed = common.seed, .threads = common.threads, .output = &output});
+      prove_all(cases, {.quick = common.quick, .seed = common.seed, .threads = common.threads, .output = &output},
+                common.verbose);
   write_all(output, std::string(chapter), results, common.quick);
   output.finish(stamp);
-  return conclude(results, chapter, title);
+  const int status = conclude(results, common.verbose);
+  fmt::print("Every row: {}\n", (output.folder() / "rows.csv").native());
+  return status;
 }
 
 }  // namespace

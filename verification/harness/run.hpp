@@ -7,8 +7,8 @@ namespace verification {
 /// Runs the cases linked into this program, and writes rows.csv, cases.csv, work_precision.csv, stability.csv and
 /// stamp.json.
 ///
-/// Cases run in the order of their names. One that throws fails, and the others still run; one that compares nothing
-/// fails.
+/// Cases run theme by theme, that is source by source, each in the order of names. One that throws fails, and the
+/// others still run; one that compares nothing fails.
 /// @param argc     as main() gets it
 /// @param argv     as main() gets it
 /// @param chapter  `ch01` ... `ch09`, `appA`, `appB`

@@ -145,33 +145,40 @@ void collect(const Competitor& who, const std::vector<WorkPrecisionPoint>& point
   if (!is_fine_enough(who.settings)) offenders.coarse.push_back(who.name);
 }
 
-void judge(Rows& rows, const std::string& problem, const Offenders& offenders) {
-  const auto none = [&](const char* what, const std::vector<std::string>& names, const char* because) {
-    rows.equal(fmt::format("{}: {}", problem, what),
-               {.expected = "none",
-                .computed = names.empty() ? std::string("none") : fmt::format("{}", fmt::join(names, ", ")),
-                .because = because});
+// One row: what a measurement owes before it says anything about methods is no result of theirs.
+void judge(Rows& rows, const WorkPrecision& what, const Offenders& offenders) {
+  std::vector<std::string> faults;
+  const auto none = [&](const char* fault, const std::vector<std::string>& who) {
+    if (!who.empty()) faults.push_back(fmt::format("{}: {}", fault, fmt::join(who, ", ")));
   };
-  none("runs with another right-hand side, start or output times", offenders.other_task,
-       "only the same task can be compared");
-  none("methods whose settings rise or are more than half a decade apart", offenders.coarse,
-       "a coarser sweep hides where a curve bends");
-  none("runs whose counts change between repeats or in the replay", offenders.changing,
-       "the same run does the same work, bit for bit");
-  none("answers without a finite error", offenders.without_error, "what claims to be solved can be measured");
-  none("methods that solve nothing", offenders.hopeless, "they are no competitors");
+  none("runs with another start, right-hand side or output times than the first", offenders.other_task);
+  none("methods whose settings rise or are more than half a decade apart", offenders.coarse);
+  none("runs that do other work when they are repeated", offenders.changing);
+  none("runs that claim an answer whose error is no number", offenders.without_error);
+  none("methods that give no answer at any setting", offenders.hopeless);
+  const bool has_scale = std::any_of(what.competitors.begin(), what.competitors.end(),
+                                     [](const Competitor& who) { return who.slope.has_value(); });
+  if (!has_scale && what.no_ruler.empty()) faults.emplace_back("no method of fixed step and known order");
+  rows.equal(what.problem + ": what is wrong with the measurement itself",
+             {.expected = "nothing",
+              .computed = faults.empty() ? std::string("nothing") : fmt::format("{}", fmt::join(faults, "; ")),
+              .because = "methods can be compared that do the same task, at settings without gaps, with the same work "
+                         "whenever they are run, and with errors that can be measured, beside one whose order is " +
+                         (what.no_ruler.empty() ? "known" : "known; none here: " + what.no_ruler)});
 }
 
 void judge_slope(Rows& rows, const WorkPrecision& what, const Competitor& who,
                  const std::vector<WorkPrecisionPoint>& points) {
   const Slope slope = slope_points(points);
   const std::string quantity =
-      fmt::format("{}, {}: slope of the error at the end against evaluations", what.problem, who.name);
+      fmt::format("{}, {}: order fitted to the errors at the end, against evaluations", what.problem, who.name);
   Convergence convergence{.nominal = *who.slope,
                           .steps = slope.steps,
                           .errors = slope.errors,
                           .floor = what.floor,
-                          .because = "fixed steps: the method's order, over the points between 1000 floors and 1e-2"};
+                          .because =
+                              "at fixed steps the error falls with the method's order; fitted where it is below 1e-2 "
+                              "and more than 1000 times that of the reference"};
   if (who.steeper.empty()) {
     rows.order(quantity, convergence);
   } else {
@@ -184,8 +191,8 @@ void judge_slope(Rows& rows, const WorkPrecision& what, const Competitor& who,
 
 void Rows::work_precision(const WorkPrecision& measurement) {
   const auto& [problem, reference, floor, competitors, timed, no_ruler] = measurement;
-  std::size_t total = 0, done = 0, rulers = 0;
-  for (const Competitor& who : competitors) total += who.settings.size(), rulers += who.slope ? 1 : 0;
+  std::size_t total = 0, done = 0;
+  for (const Competitor& who : competitors) total += who.settings.size();
   if (!(floor > 0.0) || total == 0) {
     throw std::invalid_argument(
         fmt::format("work_precision {}: the floor must be positive and there must be settings, got {} and {}", problem,
@@ -210,11 +217,7 @@ void Rows::work_precision(const WorkPrecision& measurement) {
     if (who.slope) judge_slope(*this, measurement, who, points);
     points_.insert(points_.end(), points.begin(), points.end());
   }
-  judge(*this, problem, offenders);
-  at_least(problem + ": rulers, fixed steps of known slope",
-           {.limit = no_ruler.empty() ? 1.0 : 0.0,
-            .computed = static_cast<double>(rulers),
-            .because = no_ruler.empty() ? "a diagram without a ruler has no scale" : "none is asked for: " + no_ruler});
+  judge(*this, measurement, offenders);
 }
 
 }  // namespace verification

@@ -174,7 +174,7 @@ void CommandLine::enter(Field field, Target target, bool everywhere) {
 
 std::vector<std::string> CommandLine::option_names() const {
   std::vector<std::string> names{"--help", "--full", "--out", "--config"};
-  if (program_.has_cases) names.insert(names.end(), {"--case", "--list"});
+  if (program_.has_cases) names.insert(names.end(), {"--case", "--list", "--verbose"});
   for (const Entry& entry : entries_) names.push_back("--" + entry.field.name);
   return names;
 }
@@ -248,7 +248,10 @@ const std::string* only_value(const Tokens& tokens, const std::string& option) {
 
 std::optional<int> CommandLine::read_tokens(int argc, const char* const* argv, std::ostream& out) {
   std::vector<std::string> with_value{"--out", "--config"}, without_value{"--help", "--quick", "--full"};
-  if (program_.has_cases) with_value.push_back("--case"), without_value.push_back("--list");
+  if (program_.has_cases) {
+    with_value.push_back("--case");
+    without_value.insert(without_value.end(), {"--list", "--verbose"});
+  }
   for (const Entry& entry : entries_) {
     if (entry.field.name != "quick") with_value.push_back("--" + entry.field.name);
   }
@@ -275,7 +278,10 @@ std::optional<int> CommandLine::read_tokens(int argc, const char* const* argv, s
                       .remedy = fmt::format("Give another value, or leave it out for {}.", entry.default_text)};
     std::visit([&](auto* target) { assign(*target, given, entry.field.range); }, entry.target);
   }
-  if (program_.has_cases) common_.cases = tokens.values["--case"], common_.list = tokens.flags["--list"];
+  if (program_.has_cases) {
+    common_.cases = tokens.values["--case"];
+    common_.list = tokens.flags["--list"], common_.verbose = tokens.flags["--verbose"];
+  }
   return {};
 }
 
@@ -329,6 +335,7 @@ std::string CommandLine::help() const {
   if (program_.has_cases) {
     text += option_help("--case NAME", "run this case only; may be repeated");
     text += option_help("--list", "name the cases and end");
+    text += option_help("--verbose", "print every row, not failures alone");
   }
   for (const bool everywhere : {true, false}) {
     if (!everywhere && entries_.size() > 3) text += "\nParameters, also as keys of a TOML file:\n";

@@ -24,6 +24,7 @@ struct Common {
   int threads = 1;                 ///< --threads: 1 or more; results do not depend on it
   std::vector<std::string> cases;  ///< --case, once for each; empty: all
   bool list = false;               ///< --list: name the cases and end
+  bool verbose = false;            ///< --verbose: print every row
 };
 
 /// What a program says of itself.
@@ -31,7 +32,7 @@ struct Program {
   std::string name;                ///< file name of the program, `ch01_fundamentals`
   std::string summary;             ///< one sentence for --help
   std::filesystem::path out = {};  ///< where results go unless --out says otherwise; empty: `out/<name>`
-  bool has_cases = false;          ///< offers --case and --list (a verification program does)
+  bool has_cases = false;          ///< offers --case, --list and --verbose (a verification program does)
 };
 
 /// What a reader must know of one parameter.

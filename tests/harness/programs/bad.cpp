@@ -28,6 +28,14 @@ const Case one_of_two = one("one_of_two", [](Rows& rows) {
   rows.equal("bad", {.expected = 1, .computed = 2, .because = "b"});
 });
 const Case some_of_none = one("some_of_none", [](Rows& rows) { rows.none("x", 1, "b"); });
+const Case seven_of_seven = one("seven_of_seven", [](Rows& rows) {
+  for (const char* name : {"a", "b", "c", "d", "e", "f", "g"}) {
+    rows.equal(name, {.expected = 1,
+                      .computed = 2,
+                      .because = "a reason that is longer than a line of a terminal is "
+                                 "broken at its blanks, so that nothing is cut off"});
+  }
+});
 const Case computed_nan = one("computed_nan", [](Rows& rows) {
   rows.compare("x", {.expected = 1.0, .computed = nan_, .tolerance = relative(1.0), .because = "b"});
 });
