@@ -274,7 +274,8 @@ const Strings summary_columns{"Claims",         "Checked against", "Rows",
 
 // Metrics that have no tolerance: the expected value is a bound, or the only one allowed.
 bool is_bound(const std::string& metric) {
-  return metric == "at most" || metric == "at least" || metric == "equal" || metric == "verdict";
+  return metric == "at most" || metric == "at least" || metric == "equal" || metric == "verdict" ||
+         metric == "left out";
 }
 
 // Every claim with its verdict, each leading to its rows: the page's table of contents.
