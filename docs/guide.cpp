@@ -21,6 +21,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <nlohmann/json.hpp>
 #include <particulate/report/files.hpp>
@@ -274,7 +275,8 @@ const Strings summary_columns{"Claims",         "Rows", "Rows that fail", "Extre
 
 // Metrics that have no tolerance: the expected value is a bound, or the only one allowed.
 bool is_bound(const std::string& metric) {
-  return metric == "at most" || metric == "at least" || metric == "equal" || metric == "verdict";
+  return metric == "at most" || metric == "at least" || metric == "equal" || metric == "verdict" ||
+         metric == "left out";
 }
 
 // One line a claim, which opens to its rows; what fails is open.

@@ -28,6 +28,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <particulate/report/guarded.hpp>
 

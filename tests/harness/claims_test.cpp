@@ -5,6 +5,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include <harness/case.hpp>
+#include <harness/results.hpp>
 #include <harness/rows.hpp>
 
 #include "says.hpp"
@@ -52,6 +54,31 @@ BOOST_AUTO_TEST_CASE(refuses_numbers_without_a_logarithm) {
   BOOST_CHECK_THROW(fitted_order(std::array{1.0, 0.5}, std::array{1.0, 0.0}), std::invalid_argument);
   BOOST_CHECK_THROW(fitted_order(std::array{1.0, 0.5}, std::array{1.0, nan_}), std::invalid_argument);
   BOOST_CHECK_THROW(fitted_order(std::array{1.0}, std::array{1.0}), std::invalid_argument);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(leave_out)
+
+BOOST_AUTO_TEST_CASE(shows_the_numbers_and_judges_nothing) {
+  const Case slower({.name = "slower", .claim = "twice as fast", .equation = "R 1.1"}, [](Rows& rows) {
+    rows.leave_out("ratio [-]", {.limit = 2.0, .computed = 1.0, .because = "another version"});
+    rows.none("failures", 0, "counted by hand");
+  });
+  const CaseResult result = prove(slower, {});
+  BOOST_TEST(result.failed() == 0u);
+  const Row& row = result.rows.front();
+  BOOST_TEST(row.metric == "left out");
+  BOOST_TEST((row.expected.exact() == "2" && row.computed.exact() == "1" && row.because == "another version"));
+}
+
+BOOST_AUTO_TEST_CASE(is_no_proof) {
+  const Case nothing({.name = "nothing", .claim = "twice as fast", .equation = "R 1.1"}, [](Rows& rows) {
+    rows.leave_out("ratio [-]", {.limit = 2.0, .computed = 1.0, .because = "another version"});
+  });
+  const CaseResult result = prove(nothing, {});
+  BOOST_TEST(result.failed() == 1u);
+  BOOST_TEST(contains(result.rows.back().failure, "compared nothing"));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -181,7 +181,7 @@ void prove_stiff(Rows& rows) {
   of.others = {by_kinsol_with_anderson(of, few), backward_euler_with_anderson(of, few),
                stepped(fixed, of, {.steps = few}, sweeping_at_fixed_step(BackwardEuler(), sweeps(of, 1)))};
   of.collocation = {8, 1.45, 6};
-  measure(rows, of, {{1.4, 1.5, 1.6, 1.8}, {0, 0, 0, 0}, nine_stops});
+  measure(rows, of, {{1.3, 1.5, 1.6, 1.8}, {0, 0, 0, 0}, nine_stops});
   const auto& points = rows.points();
   const auto largest =
       std::find_if(points.begin(), points.end(), [&](const auto& point) { return point.method == fixed; });

@@ -151,6 +151,15 @@ void Rows::at_least(const std::string& quantity, const Bound& bound) {
   add(std::move(row));
 }
 
+void Rows::leave_out(const std::string& quantity, const Bound& bound) {
+  add({.quantity = quantity,
+       .expected = bound.limit,
+       .computed = bound.computed,
+       .metric = left_out,
+       .because = bound.because,
+       .passed = true});
+}
+
 void Rows::equal(const std::string& quantity, const Equality& equality) {
   const bool same = equality.expected.text() == equality.computed.text();
   Row row{.quantity = quantity,

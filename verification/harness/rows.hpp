@@ -26,6 +26,9 @@ struct Row {
   double seconds = 0.0;                      ///< since the row before
 };
 
+/// Metric of a row that was not judged.
+inline constexpr const char* left_out = "left out";
+
 /// One line of stability.csv.
 struct Stability {
   std::string name;     ///< the extreme case
@@ -63,6 +66,11 @@ class Rows {
   void none(const std::string& quantity, const Exactly& count, const std::string& because) {
     equal(quantity, {.expected = 0, .computed = count, .because = because});
   }
+  /// A bound that is not claimed of what is at hand, such as another version of a competitor: shown, not judged. A case
+  /// needs another row that is.
+  /// @param quantity  what it is
+  /// @param bound     limit, computed, why it is left out
+  void leave_out(const std::string& quantity, const Bound& bound);
   /// An order of accuracy, two-sided: |fitted - nominal| <= 0.2.
   /// @param quantity     what converges
   /// @param convergence  nominal order, steps, errors, floor, reason

@@ -272,6 +272,16 @@ Outcome Integrator::advance(State& state, double t_end) {
 
 const std::vector<Hit>& Integrator::hits() const { return machinery_->hits; }
 
+std::array<int, 2> sundials_version() {
+  std::array<int, 2> version{};
+  int patch = 0;
+  std::array<char, 32> label{};
+  detail::check(
+      SUNDIALSGetVersionNumber(&version[0], &version[1], &patch, label.data(), static_cast<int>(label.size())),
+      "SUNDIALSGetVersionNumber");
+  return version;
+}
+
 Outcome integrate(const schemes::Problem& problem, State& state, double t_end, const Method& method) {
   return Integrator(problem, state, method).advance(state, t_end);
 }

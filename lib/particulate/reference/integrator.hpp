@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -78,6 +79,11 @@ class Integrator {
 
   std::unique_ptr<Machinery> machinery_;
 };
+
+/// The version of SUNDIALS that runs: for the same tolerance another one may choose other steps.
+///
+/// @return major and minor [-]
+std::array<int, 2> sundials_version();
 
 /// Advances a state to t_end in one leg.
 ///

@@ -82,8 +82,8 @@ std::vector<Setting> read_parameter_file(const std::filesystem::path& file) {
     throw std::runtime_error(fmt::format("{}:{}: not readable as TOML: {}. Write one `key = value` a line.",
                                          file.native(), error.source().begin.line, error.description()));
   }
-  std::stable_sort(settings.begin(), settings.end(),
-                   [](const Setting& a, const Setting& b) { return a.line < b.line; });
+  // TOML puts every key on a line of its own.
+  std::sort(settings.begin(), settings.end(), [](const Setting& a, const Setting& b) { return a.line < b.line; });
   return settings;
 }
 

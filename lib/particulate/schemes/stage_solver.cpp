@@ -5,7 +5,9 @@
 
 namespace particulate::schemes {
 
+namespace {
 using Complex = std::complex<double>;
+}
 
 StageEigenvalues::StageEigenvalues(const Eigen::MatrixXd& A) {
   // Delta K A^T = W L T^T with Delta K = W T^T and A = T L T^-1.
