@@ -13,7 +13,8 @@ for pair in "$@"; do
   # A run is finished when its stamp is there and its list of what it has written so far is gone.
   case $pair in
     data=* | verification=*)
-      run=${pair#*=}
+      run=$(realpath "${pair#*=}")
+      pair=${pair%%=*}=$run
       if [ ! -e "$run/stamp.json" ] || [ -e "$run/unfinished.txt" ]; then
         echo "draw.sh: $run must hold the results of a run that ended, and has no stamp; run the program again" >&2
         exit 1

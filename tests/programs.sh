@@ -31,6 +31,10 @@ loses() {
 }
 
 for program in "$bin"/ch[0-9]* "$bin"/verify_* "$bin/compare_runs"; do loses "$program" --help; done
+for program in "$bin"/ch[0-9]* "$bin"/verify_*; do
+  "$program" -h | cmp -s - <("$program" --help) || complain "'$program -h' must print what --help does"
+  "$program" --version | grep -q "^${program##*/} of particulate, revision " || complain "'$program --version' must say it"
+done
 for program in "$bin"/verify_*; do loses "$program" --list; done
 for script in verification/run.sh tests/run.sh verification/defects/teeth.sh \
   chapters/assignments/{check,grade}.sh; do
@@ -55,7 +59,7 @@ begin() {
   done
   complain "the run must write a table soon: $(<said)"
 }
-endless=(--side 10 --duration 100 --step 1e-6 --e 0.25)
+endless=(--side 8 --duration 5 --step 1e-5 --e 0.25)
 
 "$chapter" --quick --out mixed >said || complain "the first run must end well: $(<said)"
 finished mixed || complain "a run that ended must look so: $(ls -A mixed)"

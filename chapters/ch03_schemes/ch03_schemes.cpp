@@ -65,7 +65,8 @@ int main(int argc, char** argv) {
       argc, argv,
       {.name = "ch03_schemes",
        .summary = "Chapter 3: implicit steps, their sweeps, their control, staggered fields, high order.",
-       .out = "ch03"},
+       .out = "ch03",
+       .figures = "chapters/ch03_schemes/figures.gp"},
       laws::name(laws::best_kernel()), ch03::run);
 }
 

@@ -42,12 +42,14 @@ struct Ran {
   std::ostringstream printed, refused;
   int status = -1;
 
-  explicit Ran(std::vector<std::string> words, void (*run)(const Parameters&, Chapter&) = claim) {
+  explicit Ran(std::vector<std::string> words, void (*run)(const Parameters&, Chapter&) = claim,
+               const std::string& figures = {}) {
     words.insert(words.begin(), {"ch99", "--out", folder.native()});
     std::vector<const char*> argv;
     for (const std::string& word : words) argv.push_back(word.c_str());
     std::streambuf *const out = std::cout.rdbuf(printed.rdbuf()), *const error = std::cerr.rdbuf(refused.rdbuf());
-    status = run_chapter(static_cast<int>(argv.size()), argv.data(), {.name = "ch99", .summary = "s."}, "avx2", run);
+    status = run_chapter(static_cast<int>(argv.size()), argv.data(),
+                         {.name = "ch99", .summary = "s.", .figures = figures}, "avx2", run);
     std::cout.rdbuf(out), std::cerr.rdbuf(error);
   }
   std::string file(const std::string& name) const { return read_whole(folder / name); }
@@ -63,20 +65,40 @@ BOOST_AUTO_TEST_CASE(ends_well_if_every_claim_holds_and_leaves_all_that_repeats_
   BOOST_TEST(ran.file("parameters.toml").find("\nx = 0.25\n") != std::string::npos);
   BOOST_TEST(ran.file("stamp.json").find("\"kernel\": \"avx2\"") != std::string::npos);
   BOOST_TEST(ran.printed.str() ==
-             "claim    error  allowed  verdict\n"
-             "-------  -----  -------  -------\n"
-             "x         0.25        1  holds\n"
-             "x again   0.25        1  holds\n"
+             "verdict     error   allowed  claim\n"
+             "holds        0.25         1  x\n"
+             "holds        0.25         1  x again\n"
              "\n"
-             "claim  error  allowed  verdict\n"
-             "-----  -----  -------  -------\n"
-             "y        0.5        1  holds\n");
+             "verdict     error   allowed  claim\n"
+             "holds         0.5         1  y\n"
+             "\n"
+             "Every claim holds. The results are 4 files in " +
+                 ran.folder.native() + ".\n");
+}
+
+BOOST_AUTO_TEST_CASE(sums_up_tells_what_to_change_and_how_to_draw_the_figures) {
+  const Ran ran(
+      {},
+      [](const Parameters& p, Chapter& chapter) {
+        chapter.claims("checks").add("x", p.x, 1.0);
+        chapter.summary().add({"impacts", 3});
+        chapter.note("lower --x.");
+      },
+      "mine/figures.gp");
+  BOOST_TEST(ran.file("summary.csv") == "quantity,value\nimpacts,3\n");
+  const std::string folder = ran.folder.native();
+  BOOST_TEST(contains(ran.printed.str(),
+                      "\n\nquantity  value\n--------  -----\nimpacts       3\n\nNote: lower --x.\n\n"
+                      "Every claim holds. The results are 4 files in " +
+                          folder + ". To draw their figures:\ndocs/draw.sh mine/figures.gp " + folder +
+                          "/figures data=" + folder + "\n"));
 }
 
 BOOST_AUTO_TEST_CASE(fails_for_one_claim_in_any_table_and_still_writes) {
   for (const char* option : {"--x", "--y"}) {
     const Ran ran({option, "2"});
     BOOST_TEST(ran.status == 1);
+    BOOST_TEST(contains(ran.printed.str(), "NOT every claim holds."));
     BOOST_TEST((ran.file("checks.csv") + ran.file("others.csv")).find("2,1,FAILS") != std::string::npos);
     BOOST_TEST(std::filesystem::exists(ran.folder / "stamp.json"));
   }

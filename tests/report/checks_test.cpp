@@ -1,6 +1,7 @@
 #include <particulate/report/checks.hpp>
 
 #include <limits>
+#include <string>
 
 #include <boost/test/unit_test.hpp>
 
@@ -30,6 +31,17 @@ BOOST_AUTO_TEST_CASE(a_nan_fails) {
   Checks checks;
   checks.add("nothing", std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity());
   BOOST_TEST(!checks.all_hold());
+}
+
+BOOST_AUTO_TEST_CASE(fit_a_terminal) {
+  Checks checks;
+  checks.add("short [m]", 1.23456e-7, 0.5);
+  checks.add(std::string(70, 'a') + " long", 2.0, 1e-13);
+  BOOST_TEST(checks.text() ==
+             "verdict     error   allowed  claim\n"
+             "holds    1.23e-07       0.5  short [m]\n"
+             "FAILS           2     1e-13  " +
+                 std::string(70, 'a') + "\n" + std::string(29, ' ') + "long\n");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

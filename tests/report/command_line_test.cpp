@@ -164,6 +164,22 @@ BOOST_AUTO_TEST_CASE(help_tells_meaning_unit_default_and_range_and_ends_with_suc
     BOOST_TEST(contains(tried.printed, option));
   }
   BOOST_TEST(!contains(tried.printed, "--case"));
+  const std::string in_full = tried.printed;
+  BOOST_TEST((tried.parse({"-h", "--alpha1", "-1"}) == 0));
+  BOOST_TEST(tried.printed == in_full);
+}
+
+BOOST_AUTO_TEST_CASE(help_fits_a_terminal) {
+  CommandLine command({.name = "ch01", .summary = "shows a pair."});
+  command.field(0.5, {.name = "x", .meaning = std::string(60, 'a') + " b", .range = between(0.0, 1.0)});
+  BOOST_TEST(contains(command.help(), "  --x NUMBER              " + std::string(60, 'a') + " b [-];\n" +
+                                          std::string(26, ' ') + "default 0.5; must lie in [0, 1]\n"));
+}
+
+BOOST_AUTO_TEST_CASE(version_tells_program_revision_and_compiler_and_ends_with_success) {
+  Tried tried;
+  BOOST_TEST((tried.parse({"--version"}) == 0));
+  BOOST_TEST(tried.printed.starts_with("ch01 of particulate, revision "));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include <particulate/report/checks.hpp>
 #include <particulate/report/command_line.hpp>
@@ -29,8 +30,16 @@ class Chapter {
   /// @return the claims under that name so far; the reference stays good
   Checks& claims(const std::string& table);
 
-  /// Ends the run: writes and prints the tables of claims, writes `stamp.json`. The `parameters.toml` that repeats it
-  /// is there from the beginning.
+  /// What the run did, in a few numbers: impacts, energies, overlap.
+  /// @return the table `summary`, of quantities and their values, which is written and printed when the program ends
+  Table& summary() { return summary_; }
+  /// Tells whoever ran the program what no claim is about: that an answer is poor, and which parameter to change.
+  /// @param text  what was seen and what to do, printed when the program ends
+  void note(std::string text) { notes_.push_back(std::move(text)); }
+
+  /// Ends the run: writes and prints the tables of claims and the summary, prints the notes, writes `stamp.json`, and
+  /// says where all of that is and how its figures are drawn. The `parameters.toml` that repeats it is there from the
+  /// beginning.
   /// @param kernel  the variant of the force kernel that ran, for the stamp
   /// @return the exit status: 0 if something is claimed and every claim holds, otherwise 1
   /// @throws std::runtime_error if a file cannot be written
@@ -40,6 +49,8 @@ class Chapter {
   const CommandLine& line_;
   Output output_;
   std::deque<std::pair<std::string, Checks>> claims_;
+  Table summary_{{"quantity", "value"}};
+  std::vector<std::string> notes_;
 };
 
 /// The main() of a chapter's program: parameters in, claims out.

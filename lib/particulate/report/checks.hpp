@@ -17,6 +17,8 @@ class Checks {
 
   /// @return the claims so far: claim, size of the error, what is allowed, holds or FAILS
   const Table& table() const { return table_; }
+  /// @return the same for a terminal: a claim a line, those that are long broken, numbers to three digits
+  std::string text() const;
   /// @return whether every claim so far holds
   bool all_hold() const { return all_hold_; }
 

@@ -15,6 +15,8 @@
 #include <CLI/CLI.hpp>
 
 #include <particulate/report/spelling.hpp>
+#include <particulate/report/stamp.hpp>
+#include <particulate/report/wrapped.hpp>
 
 namespace particulate::report {
 namespace {
@@ -173,7 +175,7 @@ void CommandLine::enter(Field field, Target target, bool everywhere) {
 }
 
 std::vector<std::string> CommandLine::option_names() const {
-  std::vector<std::string> names{"--help", "--full", "--out", "--config"};
+  std::vector<std::string> names{"--help", "--version", "--full", "--out", "--config"};
   if (program_.has_cases) names.insert(names.end(), {"--case", "--list", "--verbose"});
   for (const Entry& entry : entries_) names.push_back("--" + entry.field.name);
   return names;
@@ -219,7 +221,9 @@ Tokens split(int argc, const char* const* argv, const std::vector<std::string>& 
     // Any number of times, one value each: what stands twice is refused below, in our own words.
     app.add_option(name, tokens.values[name])->expected(1, INT_MAX)->allow_extra_args(false);
   }
-  for (const std::string& name : without_value) app.add_flag(name, tokens.flags[name]);
+  for (const std::string& name : without_value) {
+    app.add_flag(name == "--help" ? "-h,--help" : name, tokens.flags[name]);
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& wrong) {
@@ -247,7 +251,7 @@ const std::string* only_value(const Tokens& tokens, const std::string& option) {
 }  // namespace
 
 std::optional<int> CommandLine::read_tokens(int argc, const char* const* argv, std::ostream& out) {
-  std::vector<std::string> with_value{"--out", "--config"}, without_value{"--help", "--quick", "--full"};
+  std::vector<std::string> with_value{"--out", "--config"}, without_value{"--help", "--version", "--quick", "--full"};
   if (program_.has_cases) {
     with_value.push_back("--case");
     without_value.insert(without_value.end(), {"--list", "--verbose"});
@@ -257,6 +261,12 @@ std::optional<int> CommandLine::read_tokens(int argc, const char* const* argv, s
   }
   Tokens tokens = split(argc, argv, with_value, without_value);
   if (tokens.flags["--help"]) return out << help(), 0;
+  if (tokens.flags["--version"]) {
+    const Stamp made = make_stamp({}, 0, {});
+    out << fmt::format("{} of particulate, revision {}, {} ({})\n", program_.name, made.revision, made.compiler,
+                       made.build_type);
+    return 0;
+  }
   if (!tokens.unknown.empty()) {
     const std::string& word = tokens.unknown.front();
     throw std::invalid_argument(fmt::format("every word must be an option of this program, got \"{}\".{} See --help.",
@@ -309,8 +319,10 @@ namespace {
 std::string option_help(const std::string& option, const std::string& text) {
   constexpr std::size_t column = 26;
   std::string line = "  " + option;
-  line += line.size() + 2 > column ? "\n" + std::string(column, ' ') : std::string(column - line.size(), ' ');
-  return line + text + '\n';
+  const bool beside = line.size() + 2 <= column;
+  line += beside ? std::string(column - line.size(), ' ') : "\n" + std::string(column, ' ');
+  const std::string indented = std::string(column, ' ') + text;
+  return line + wrapped(indented, column).substr(column) + '\n';
 }
 
 std::string placeholder(double) { return "NUMBER"; }
@@ -325,7 +337,8 @@ std::string placeholder(T) {
 
 std::string CommandLine::help() const {
   std::string text = fmt::format("{}: {}\n\nOptions:\n", program_.name, program_.summary);
-  text += option_help("--help", "print this and end");
+  text += option_help("-h, --help", "print this and end");
+  text += option_help("--version", "print the revision and the compiler, and end");
   text += option_help("--quick", entry_named("quick")->field.meaning);
   text += option_help("--full", "the opposite, and the default");
   text +=
@@ -354,12 +367,19 @@ std::string CommandLine::help() const {
   return text;
 }
 
+std::string CommandLine::how_to_draw() const {
+  if (program_.figures.empty()) return "";
+  return fmt::format(" To draw their figures:\ndocs/draw.sh {} {} {}", shell_word(program_.figures),
+                     shell_word((common_.out / "figures").native()), shell_word("data=" + common_.out.native()));
+}
+
 std::string CommandLine::parameters_toml() const {
   std::string text = fmt::format("# Parameters of a run. To repeat it: {} --config <this file>\n", program_.name);
   for (const Entry& entry : entries_) {
     const auto& [field, target, default_text, everywhere] = entry;
     if (field.name == "threads") continue;  // results do not depend on it
-    text += fmt::format("\n# {} [{}]\n{} = {}\n", field.meaning, field.unit, field.name,
+    const std::string unit = std::holds_alternative<bool*>(target) ? "" : fmt::format(" [{}]", field.unit);
+    text += fmt::format("\n# {}{}\n{} = {}\n", field.meaning, unit, field.name,
                         std::visit([](const auto* value) { return toml(*value); }, target));
   }
   return text;

@@ -32,6 +32,7 @@ struct Program {
   std::string name;                ///< file name of the program, `ch01_fundamentals`
   std::string summary;             ///< one sentence for --help
   std::filesystem::path out = {};  ///< where results go unless --out says otherwise; empty: `out/<name>`
+  std::string figures = {};        ///< script that docs/draw.sh draws them with, as seen from its tree; empty: none
   bool has_cases = false;          ///< offers --case, --list and --verbose (a verification program does)
 };
 
@@ -93,20 +94,22 @@ class CommandLine {
   /// Reads the command line, and the file that --config names, into the fields and common().
   /// @param argc   as main() gets it
   /// @param argv   as main() gets it
-  /// @param out    where --help is printed
+  /// @param out    where --help and --version are printed
   /// @param error  where a refusal is printed: what must hold, what was given, what to do
-  /// @return the exit status if the program should end now: 0 after --help, 2 after a refusal
+  /// @return the exit status if the program should end now: 0 after --help or --version, 2 after a refusal
   [[nodiscard]] std::optional<int> parse(int argc, const char* const* argv, std::ostream& out, std::ostream& error);
   /// Reads the command line, printing to the standard streams. See the other overload.
   /// @param argc  as main() gets it
   /// @param argv  as main() gets it
-  /// @return the exit status if the program should end now: 0 after --help, 2 after a refusal
+  /// @return the exit status if the program should end now: 0 after --help or --version, 2 after a refusal
   [[nodiscard]] std::optional<int> parse(int argc, const char* const* argv);
 
   /// @return the options that every program has, as parsed
   const Common& common() const { return common_; }
   /// @return the command as one line that a shell would take, as parsed
   const std::string& line() const { return line_; }
+  /// @return the command that draws the figures of this run, on a line of its own; nothing where there are none
+  std::string how_to_draw() const;
   /// @return the text that --help prints: every option, with meaning, unit, default and range
   std::string help() const;
   /// @return a TOML file of all fields as they are now, with seed and quick: what --config needs to repeat the run

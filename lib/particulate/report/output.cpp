@@ -111,10 +111,11 @@ void Output::write(const std::string& name, const Table& table) const {
 
 void Output::write_parameters(std::string_view toml) const { add(parameters, toml); }
 
-void Output::finish(Stamp stamp) const {
+std::size_t Output::finish(Stamp stamp) const {
   stamp.files = listed(folder_);
   write_whole(folder_ / stamped, json(stamp));
   fs::remove(folder_ / unfinished);
+  return stamp.files.size() + 1;
 }
 
 void require_finished(const fs::path& folder) {

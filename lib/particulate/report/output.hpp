@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -17,9 +18,8 @@ namespace particulate::report {
 class Output {
  public:
   /// @param folder  made if it does not exist, and tried
-  /// @throws std::runtime_error if no file can be written there, or another run is at work there; what was there is
-  /// then
-  ///         untouched
+  /// @throws std::runtime_error if no file can be written there, or another run is at work there; what was
+  ///         there is then untouched
   explicit Output(std::filesystem::path folder);
   Output(const Output&) = delete;
   Output& operator=(const Output&) = delete;
@@ -37,8 +37,9 @@ class Output {
   void write_parameters(std::string_view toml) const;
   /// Ends the run: writes `<folder>/stamp.json` with the files that were written.
   /// @param stamp  what they were made with
+  /// @return how many files the run has left, the stamp among them
   /// @throws std::runtime_error if it cannot be written
-  void finish(Stamp stamp) const;
+  std::size_t finish(Stamp stamp) const;
 
   /// @return the folder
   const std::filesystem::path& folder() const { return folder_; }
