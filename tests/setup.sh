@@ -47,6 +47,8 @@ docs  texlive-binaries      command bibtex
 docs  chromium              command chromium chromium-browser google-chrome
 lint  clang-format          command clang-format
 lint  clang-tidy            command clang-tidy
+clang clang-19              command clang++-19
+clang libclang-rt-19-dev    file lib/llvm-19/lib/clang/19/lib/*/libclang_rt.asan*.a
 '
 
 # is_there command <names>...    is_there file <patterns below a prefix>...

@@ -113,6 +113,10 @@ struct Integrator::Machinery {
     if (x.size() == 0) return;
 #if SUNDIALS_VERSION_MAJOR >= 7
     SUNContext_ClearErrHandlers(context);
+    // What it warns of, a step too small to change the time, is said in the outcome.
+    SUNLogger logger = nullptr;
+    detail::check(SUNContext_GetLogger(context, &logger), "SUNContext_GetLogger");
+    detail::check(SUNLogger_SetWarningFilename(logger, "/dev/null"), "SUNLogger_SetWarningFilename");
 #endif
     vector.reset(detail::made(N_VMake_Serial(x.size(), x.data(), context), "N_VMake_Serial"));
     std::visit(
