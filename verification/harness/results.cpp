@@ -91,6 +91,9 @@ Table cases_table(const std::string& chapter, const std::vector<CaseResult>& res
 }
 
 std::string row_in_brief(const Row& row) {
+  if (row.metric == left_out) {
+    return wrapped(fmt::format("  left out  {}: {}; {}", row.quantity, row.computed.readable(), row.because), 8) + '\n';
+  }
   std::string text = fmt::format("  {}  {}: ", row.passed ? "pass" : "FAIL", row.quantity);
   if (row.metric == "at most" || row.metric == "at least") {
     text += fmt::format("{}, {} {}", row.computed.readable(), row.metric, row.expected.readable());
