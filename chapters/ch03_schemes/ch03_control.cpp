@@ -172,7 +172,7 @@ void control(const Parameters& p, const report::Output& output, report::Checks& 
   }
   output.write("promise", promise);
   checks.add("TOL is met in each step of the runs that are wrong: w_K/TOL - 1 at most", broken, 0.0);
-  checks.add("and their answer is off by a tenth or more: what is missing", missing, 0.0);
+  checks.add("the answer of these runs is off by a tenth or more: what is missing", missing, 0.0);
 
   //! @table{ch03_promise}
   //!

@@ -35,33 +35,35 @@ inline constexpr const char* ours = "our choice";
 
 struct Parameters {
   report::CommandLine& line;
-  double& TOL = line.field(1e-6, {"tolerance", "of the sweeps, TOL", "-", between(1e-6, 1e-2), ours});
+  double& TOL = line.field(1e-6, {"tolerance", "tolerance of the sweeps, TOL", "-", between(1e-6, 1e-2), ours});
   int& K_d = line.field(5, {"desired", "contractions a step should take, K_d", "-", between(3, 100), ours});
-  double& limit = line.field(0.01, {"limit", "Dt_lim, as a share of the pair's period", "-", between(1e-3, 0.1), ours});
+  double& limit = line.field(
+      0.01, {"limit", "longest step Dt_lim, as a share of the pair's period", "-", between(1e-3, 0.1), ours});
   double& stiffness = line.field(
       0.1, {"stiffness", "repulsion of the steered pair, attraction 1", "N m^3/kg^2", between(0.05, 0.6), ours});
   double& softness =
       line.field(0.5, {"softness", "repulsion where errors are looked at", "N m^3/kg^2", between(0.2, 0.5), ours});
-  double& rough = line.field(
-      0.004, {"rough", "Dt_lim of the run that is wrong, as a share of the period", "-", between(0.004, 0.1), ours});
-  int& springs = line.field(8, {"springs", "of different stiffness, in one problem", "-", between(1, 100), ours});
-  int& sweeps = line.field(21, {"sweeps", "whose errors are drawn", "-", between(10, 60), ours});
+  double& rough = line.field(0.004, {"rough", "longest step of the run that is wrong, as a share of the period", "-",
+                                     between(0.004, 0.1), ours});
+  int& springs =
+      line.field(8, {"springs", "springs of different stiffness in one problem", "-", between(1, 100), ours});
+  int& sweeps = line.field(21, {"sweeps", "sweeps whose errors are drawn", "-", between(10, 60), ours});
   double& coupling =
       line.field(3.0, {"coupling", "a_12 = -a_21 of two decaying fields", "1/s", between(1.5, 20.0), ours});
-  double& beyond =
-      line.field(1.002, {"beyond", "their step over the last that contracts", "-", between(1.001, 2.0), ours});
-  double& duration = line.field(4.0, {"duration", "of their decay", "s", between(1.0, 20.0), ours});
+  double& beyond = line.field(
+      1.002, {"beyond", "step of these fields over the last that contracts", "-", between(1.001, 2.0), ours});
+  double& duration = line.field(4.0, {"duration", "duration of their decay", "s", between(1.0, 20.0), ours});
   double& mildness = line.field(0.8, {"mildness", "repulsion of the pair whose errors are looked at, attraction 1",
                                       "N m^3/kg^2", between(0.6, 0.95), ours});
   double& closeness = line.field(0.01, {"closeness", "repulsion of the pair that passes close by, attraction 1",
                                         "N m^3/kg^2", between(1e-3, 0.5), ours});
-  double& accuracy =
-      line.field(1e-9, {"accuracy", "of its steps, for truncation and sweeps", "-", between(1e-12, 1e-4), ours});
+  double& accuracy = line.field(
+      1e-9, {"accuracy", "accuracy of that pair's steps, for truncation and sweeps", "-", between(1e-12, 1e-4), ours});
   double& mu =
       line.field(1000.0, {"mu", "damping of van der Pol's oscillator", "-", between(1.0, 1e5), "its test set"});
-  double& drop = line.field(1.0, {"drop", "height that a ball falls", "m", between(0.01, 100.0), ours});
-  double& e = line.field(0.5, {"restitution", "of the ball", "-", between(0.1, 0.9), "chapter 4"});
-  int& periods = line.field(200, {"periods", "over which energy is watched", "-", between(20, 10000), ours});
+  double& drop = line.field(1.0, {"drop", "height from which a ball falls", "m", between(0.01, 100.0), ours});
+  double& e = line.field(0.5, {"restitution", "restitution of the ball", "-", between(0.1, 0.9), "chapter 4"});
+  int& periods = line.field(200, {"periods", "periods over which energy is watched", "-", between(20, 10000), ours});
 };
 
 //! A page is a function of these. It writes its tables, and adds what it claims to a particulate::report::Checks: the

@@ -137,9 +137,9 @@ void staggering(const Parameters& p, const report::Output& output, report::Check
   diagnosis.add({"what the run says", says});
   output.write("diagnosis", diagnosis);
   checks.add("staggering beyond its limit at a fixed step is refused: runs where not", plain ? 1.0 : 0.0, 0.0);
-  checks.add("relaxed or steered it reaches the end: runs where not",
+  checks.add("staggering relaxed or steered reaches the end: runs where not",
              static_cast<double>(std::count(cured.begin(), cured.end(), false)), 0.0);
-  checks.add("and gives what both fields solved at once give", off_at_once, 100.0 * p.TOL);
+  checks.add("staggering gives what both fields solved at once give", off_at_once, 100.0 * p.TOL);
 }
 
 }  // namespace ch03

@@ -27,6 +27,9 @@ constexpr int most_frictions = 1000;
 // it.
 constexpr int patience = 100;
 constexpr double nearly = 1e-9;
+// What a look at a contact costs, in multiplications. So many rounds are made whatever they cost.
+constexpr double look = 10.0;
+constexpr long fewest_rounds = 50;
 
 struct Motions {
   const Eigen::VectorXd& inverse_mass;
@@ -388,12 +391,22 @@ std::string pinched(const Motions& motions, const Cluster& cluster) {
       body, name_of(one), name_of(other), overlap);
 }
 
-std::string without_balance(std::size_t contacts, int rubbed) {
-  return fmt::format(
-      "friction of {} contacts that hang together and their pushes do not come to agree, after deciding {} times which "
-      "stick: take a smaller step, so that fewer bodies touch at once, or a smaller mu_s",
-      contacts, rubbed);
+// How many they are, and how deep.
+std::string cluster_of(const std::vector<Touch>& contacts) {
+  double deepest = 0.0;
+  for (const Touch& touch : contacts) deepest = std::max(deepest, touch.overlap);
+  return fmt::format("{} contacts that hang together, up to {:.3g} m deep,", contacts.size(), deepest);
 }
+
+std::string without_balance(const std::vector<Touch>& contacts, int rubbed) {
+  return fmt::format(
+      "friction of {} and their pushes do not come to agree, after deciding {} times which stick: take a smaller step, "
+      "so that fewer bodies touch at once, or a smaller mu_s",
+      cluster_of(contacts), rubbed);
+}
+
+// A system of equations for as many unknowns.
+double work_of(std::size_t unknowns) { return std::pow(static_cast<double>(unknowns), 3.0); }
 
 // Goes on until no contact of a cluster approaches: pushes, then friction, which may press others together.
 template <class R, class F>
@@ -410,7 +423,10 @@ void settle(const ContactResolver<R, F>& law, Motions& motions, std::vector<Touc
   std::vector<Action> actions;
   double pressed = first;  // by the friction decided last
   int rubbed = 0;
-  for (long round = 0; round < most_rounds; ++round) {
+  long round = 0;
+  double work = 0.0;
+  for (; round < fewest_rounds || (round < most_rounds && work < law.most_work); ++round) {
+    work += look * static_cast<double>(n);
     if (law.holding && round == n + 10) {  // there is no room to work off overlap: what only holds always has an answer
       for (Touch& touch : cluster.contacts) touch.parting = duration * touch.acceleration.dot(touch.n);
       meetings = meetings_of(law, motions, cluster.contacts, duration);
@@ -419,22 +435,23 @@ void settle(const ContactResolver<R, F>& law, Motions& motions, std::vector<Touc
     if (group.empty()) return;
     for (const std::vector<std::size_t>& part : connected(cluster.contacts, group, motions.inverse_mass)) {
       push_apart(motions, cluster, part, meetings, actions);
+      work += work_of(part.size());
     }
     meetings = meetings_of(law, motions, cluster.contacts, duration);
     const bool agree = rubbed >= patience && pressed <= nearly * first;
     const bool rubs = std::is_same_v<F, Friction> && fastest_met(meetings) <= at_rest && !agree;
     if (rubs && (++rubbed > most_frictions || !rub(law, motions, cluster, duration, actions, done))) {
-      done.unsettled = without_balance(cluster.contacts.size(), rubbed);
+      done.unsettled = without_balance(cluster.contacts, rubbed);
       return;
     }
+    if (rubs) work += work_of(2 * cluster.contacts.size());  // each in two directions
     book(law.recorder, motions, actions, done);
     if (!rubs) continue;
     meetings = meetings_of(law, motions, cluster.contacts, duration);
     pressed = fastest_met(meetings);
   }
-  done.unsettled = fmt::format(
-      "after {} rounds of impulses some of {} contacts that hang together still approach, at up to {} m/s; {}",
-      most_rounds, n, fastest_met(meetings), pinched(motions, cluster));
+  done.unsettled = fmt::format("after {} rounds of impulses some of {} still approach, at up to {:.3g} m/s; {}", round,
+                               cluster_of(cluster.contacts), fastest_met(meetings), pinched(motions, cluster));
 }
 
 // The fastest approach in a cluster that the other forces can have made within one step; 0: nothing is held.
@@ -462,7 +479,7 @@ Resolved ContactResolver<RestitutionLaw, FrictionLaw>::operator()(const std::vec
   }
   std::vector<std::size_t> all(touching.size());
   std::iota(all.begin(), all.end(), 0U);
-  const ContactResolver<ConstantRestitution, FrictionLaw> holds{{0.0}, friction, resolution, recorder, true};
+  const ContactResolver<ConstantRestitution, FrictionLaw> holds{{0.0}, friction, resolution, recorder, true, most_work};
   for (const std::vector<std::size_t>& cluster : connected(touching, all, inverse_mass)) {
     if (!any_approaches(motions, touching, cluster)) continue;
     std::vector<Touch> contacts = chosen(touching, cluster);

@@ -81,8 +81,9 @@ struct Resolved {
 /// A cluster is settled when it approaches nowhere faster than 1e-13 of its first approach, or than the rounding of its
 /// velocities; it is given up after \f$ 10^4 + 200\,n^2 \f$ rounds of n contacts, which a light body pinched between
 /// bodies thousands of times as heavy needs, as it carries their momentum across in as many hits as that ratio, and
-/// which never suffice to an elastic body held between opposite walls. Two bodies that are both immovable exchange
-/// nothing.
+/// which never suffice to an elastic body held between opposite walls; and before that where the rounds cost more than
+/// some seconds, as those of hundreds of contacts do that overlap because there is no room for them. Then it says how
+/// many contacts hang together and how deep. Two bodies that are both immovable exchange nothing.
 ///
 /// Contacts that are to be held (Touch::hold) and rest take no part in that. Afterwards every cluster with an approach
 /// in it gets the impulses after which each of its contacts parts at Touch::parting at least, those that just do so
@@ -98,6 +99,7 @@ struct ContactResolver {
   Resolution resolution = Resolution::sequential;  ///< in what order
   const ImpactRecorder& recorder = nobody;         ///< is told of every impact; it must outlive the resolver
   bool holding = false;                            ///< every contact parts at Touch::parting at least
+  double most_work = 3e9;                          ///< work after which a cluster is given up [multiplications]
 
   /// Resolves all contacts of one moment.
   ///
