@@ -555,10 +555,12 @@ BOOST_AUTO_TEST_CASE(says_that_a_start_overlaps_and_that_a_step_was_too_long) {
   State state = start(scene);
   Outcome outcome = run(scene, state, 2.0, VelocityVerlet(), FixedStep{.step = 1.0});
   BOOST_TEST(outcome.overlap_at_start == 0.1, tolerance(1e-14));
+  BOOST_TEST(outcome.contacts_at_start == 1);
   BOOST_TEST(outcome.travel == 4.0);
   BOOST_TEST(outcome.overlap == 0.0);
   outcome = run(scene, state, 2.1, VelocityVerlet(), FixedStep{.step = 0.1});
   BOOST_TEST(outcome.overlap_at_start == 0.0);
+  BOOST_TEST(outcome.contacts_at_start == 0);
   BOOST_TEST(outcome.travel == 0.4, tolerance(1e-12));
 }
 
@@ -671,6 +673,24 @@ BOOST_AUTO_TEST_CASE(holds_a_ball_that_is_pinched) {
   BOOST_TEST((outcome.status == Status::reached), outcome.reason);
   BOOST_TEST(outcome.overlap_at_start == 0.03, tolerance(1e-12));
   BOOST_TEST(std::abs(state.r[2] - 0.48) < 2e-3);
+}
+
+// Elastic balls of 0.6 m in a slot of 0.8 m: each overlaps the other by 0.2 and a wall by 0.1.
+BOOST_AUTO_TEST_CASE(gives_up_on_balls_without_room_and_says_how_deep_they_are_in_each_other) {
+  Particles crowd = two_particles();
+  crowd.position = Vectors{{0.0, 0.0, 0.2}, {0.0, 0.0, 0.6}};
+  crowd.velocity = Vectors{{0.0, 0.0, 1.0}, {0.0, 0.0, 0.0}};
+  crowd.radius = Eigen::Vector2d(0.3, 0.3);
+  const Space slot{{Wall{}, Wall{.point = {0.0, 0.0, 0.8}, .normal = {0.0, 0.0, -1.0}}}};
+  const Scene scene(crowd, slot, Contact{});
+  State state = start(scene);
+  const Outcome outcome = run(scene, state, 1.0, VelocityVerlet(), FixedStep{.step = 1e-6});
+  BOOST_TEST((outcome.failure == particulate::schemes::Failure::unsettled_jump));
+  BOOST_TEST(
+      outcome.reason.find("of 3 contacts that hang together, up to 0.2 m deep, still approach") != std::string::npos,
+      outcome.reason);
+  BOOST_TEST(outcome.contacts_at_start == 3);
+  BOOST_TEST(outcome.overlap_at_start == 0.2, tolerance(1e-12));
 }
 
 // On a slope of tan = 3/4: mu_s g cos >= g sin holds; with mu_d = 0.5 it slides at g (0.6 - 0.5 0.8).

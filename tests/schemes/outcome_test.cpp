@@ -63,6 +63,11 @@ BOOST_AUTO_TEST_CASE(says_why_when_and_what_was_done_and_breaks_long_lines) {
   for (std::string line; std::getline(lines, line);) BOOST_TEST(line.size() <= 100U);
 }
 
+BOOST_AUTO_TEST_CASE(says_how_many_bodies_overlapped_at_the_start_and_how_deep) {
+  BOOST_TEST(describe(Outcome{.overlap_at_start = 0.25, .contacts_at_start = 7}) ==
+             "reached t = 0 s\n  7 overlaps at the start, up to 0.25 m deep");
+}
+
 BOOST_AUTO_TEST_CASE(says_what_stopped_it_and_where_events_pile_up) {
   BOOST_TEST(describe(Outcome{.status = Status::stopped, .reason = "floor", .t = 2.0}) == "stopped at t = 2 s: floor");
   BOOST_TEST(contains(describe(Outcome{.failure = Failure::accumulating, .accumulation = 3.0}),

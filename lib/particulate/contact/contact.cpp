@@ -1,5 +1,6 @@
 #include <particulate/contact/contact.hpp>
 
+#include <algorithm>
 #include <limits>
 #include <stdexcept>
 
@@ -18,6 +19,12 @@ void validate_gamma(double gamma) {
   if (!(gamma >= 0.0 && gamma < 1.0)) {
     throw std::invalid_argument(fmt::format("contact: gamma must lie in [0, 1), got {}", gamma));
   }
+}
+
+schemes::Overlap overlap_of(const Touching& touching) {
+  const auto deep = [](const Touch& touch) { return touch.overlap > 0.0; };
+  return {.contacts = std::count_if(touching.contacts.begin(), touching.contacts.end(), deep),
+          .deepest = touching.overlap};
 }
 
 double ClosedGap::between(const kinematics::VectorsIn& position, const Eigen::VectorXd& radius, Eigen::Index i,

@@ -96,6 +96,10 @@ struct Touching {
   bool directed = true;         ///< false: two centres coincide, so the direction of their contact is not finite
 };
 
+/// @param touching  contacts of a moment
+/// @return how many of them overlap, and how deep
+schemes::Overlap overlap_of(const Touching& touching);
+
 /// How wide a gap between two bodies counts as closed.
 ///
 /// \f[ \tau\,(b_i + b_j) + n\,\varepsilon\,(\|r_i\| + \|r_j\|) \f]

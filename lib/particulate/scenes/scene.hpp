@@ -162,9 +162,9 @@ class Scene {
   }
 
   /// @param state  a state of this scene
-  /// @return the deepest overlap there of two bodies, or of one with a wall [m]
-  double overlap(const schemes::State& state) const requires(contact::Impacts<Laws> || ...) {
-    return contact::find_touching(domain_, moving(state.t, state.r, state.v)).overlap;
+  /// @return how many bodies overlap each other or a wall there, and how deep
+  schemes::Overlap overlap(const schemes::State& state) const requires(contact::Impacts<Laws> || ...) {
+    return contact::overlap_of(contact::find_touching(domain_, moving(state.t, state.r, state.v)));
   }
 
   /// Why a law has no force somewhere. @see schemes::SaysWhy

@@ -133,7 +133,8 @@ class Run {
   }
 
   Outcome go() {
-    out_.overlap_at_start = problem_.overlap(state_);
+    const Overlap overlap = problem_.overlap(state_);
+    out_.overlap_at_start = overlap.deepest, out_.contacts_at_start = overlap.contacts;
     bool goes_on = true;
     task_.scheme_can.begin(task_.scheme, problem_, state_);
     if (task_.control_can.waits_for_step(task_.control) && state_.t < task_.t_end) begin_control();

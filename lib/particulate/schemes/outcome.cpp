@@ -98,7 +98,8 @@ std::string describe(const Outcome& outcome) {
   facts.count(outcome.evaluations, "right-hand side", "right-hand sides");
   facts.count(outcome.impacts, "impact", "impacts");
   facts.measure("largest contraction", outcome.contraction, "");
-  facts.measure("overlap at the start", outcome.overlap_at_start, " m");
+  facts.count(outcome.contacts_at_start, "overlap at the start", "overlaps at the start");
+  facts.measure("up to", outcome.overlap_at_start, " m deep");
   facts.measure("deepest overlap", outcome.overlap, " m");
   if (outcome.travel > 1.0) facts.measure("a body moved in a step by", outcome.travel, " of its radius");
   facts.measure("energy changed by jumps", outcome.energy_change, " J");

@@ -155,10 +155,16 @@ concept Jumps = requires(P& p, State& at, double dt) {
   { p.jump(at, dt) } -> std::same_as<Jump>;
 };
 
-/// Ability: the deepest overlap of two bodies in a state, `overlap(state)` [m].
+/// Bodies that overlap in a state.
+struct Overlap {
+  long contacts = 0;     ///< pairs that do, and bodies with walls [-]
+  double deepest = 0.0;  ///< largest depth among them [m]
+};
+
+/// Ability: which bodies overlap in a state, `overlap(state)`.
 template <class P>
 concept HasOverlap = requires(P& p, const State& at) {
-  { p.overlap(at) } -> std::same_as<double>;
+  { p.overlap(at) } -> std::same_as<Overlap>;
 };
 
 /// Ability: `why_no_value(state)`, why a right-hand side has no value there; empty where that is not known, or it has.
@@ -330,7 +336,7 @@ struct Abilities {
   double (*spacing)(const void*, const In&) = nullptr;
   void (*common_motion)(const void*, const In&, Out) = nullptr;
   std::vector<Range> (*ranges)(const void*) = nullptr;
-  double (*overlap)(void*, const State&) = nullptr;
+  Overlap (*overlap)(void*, const State&) = nullptr;
   std::string (*why_no_value)(void*, const State&) = nullptr;
   Jump (*jump)(void*, State&, double) = nullptr;
   std::optional<double> (*first_jump)(void*, const StepPath&, double) = nullptr;
@@ -568,8 +574,8 @@ class Problem {
     if (hook_) hook_->jumped(jump);
     return jump;
   }
-  /// @param at  a state @return the deepest overlap of two bodies there; 0 where it knows none [m]
-  double overlap(const State& at) const { return can_->overlap ? can_->overlap(self_, at) : 0.0; }
+  /// @param at  a state @return which bodies overlap there; none where it knows of none
+  Overlap overlap(const State& at) const { return can_->overlap ? can_->overlap(self_, at) : Overlap{}; }
   /// @param at  a state @return why it has no value there; empty: it does not know, or has one
   std::string why_no_value(const State& at) const {
     return can_->why_no_value ? can_->why_no_value(self_, at) : std::string();
