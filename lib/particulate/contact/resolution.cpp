@@ -388,7 +388,7 @@ std::string pinched(const Motions& motions, const Cluster& cluster) {
   return fmt::format(
       "particle {} is pinched between {} and {}, which it overlaps by {:.3g} m together: give it that much more room, "
       "let impacts take energy (e < 1), or take less unequal masses where a light one is held between heavy ones",
-      body, name_of(one), name_of(other), overlap);
+      body, name_of(one), name_of(other), overlap + 0.0);
 }
 
 // How many they are, and how deep.
