@@ -1,0 +1,115 @@
+#include <particulate/kinematics/cells.hpp>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+namespace particulate::kinematics {
+
+namespace {
+
+constexpr double rounding_unit = std::numeric_limits<double>::epsilon();
+// The number of a cell stays finite.
+constexpr double farthest_cell = 1e300;
+
+// Which of so many cells that repeat themselves; whole numbers are held exactly, however large.
+std::int64_t folded(double cell, std::int64_t cells) {
+  const double n = static_cast<double>(cells);
+  if (std::abs(cell) < 1e15) return static_cast<std::int64_t>(cell - n * std::floor(cell / n));
+  const double rest = std::fmod(cell, n);
+  return static_cast<std::int64_t>(rest < 0.0 ? rest + n : rest);
+}
+
+}  // namespace
+
+Cells::Cells(const Space& domain, const Eigen::Vector3d& extent, double edge, Eigen::Index bodies)
+    : periods_(domain.lengths),
+      extent_(extent),
+      edge_(edge),
+      most_cells_(std::max<std::int64_t>(64, 2 * static_cast<std::int64_t>(bodies))) {
+  if (!(edge > 0.0 && std::isfinite(edge))) {
+    throw std::invalid_argument(fmt::format("cells: their edge must be positive and finite, got {} m", edge));
+  }
+  if (bodies > std::numeric_limits<std::int32_t>::max()) {
+    throw std::invalid_argument(fmt::format("cells: they hold up to {} bodies, asked for were {}",
+                                            std::numeric_limits<std::int32_t>::max(), bodies));
+  }
+  bodies_.reserve(static_cast<std::size_t>(bodies));
+}
+
+int Cells::level(double size) const {
+  const double edges = 2.0 * size / edge_;
+  if (!(edges > 1.0)) return 0;
+  if (!std::isfinite(edges)) return std::numeric_limits<double>::max_exponent;
+  int exponent = 0;
+  return std::frexp(edges, &exponent) == 0.5 ? exponent - 1 : exponent;
+}
+
+Cells::Level Cells::empty_level(int number) const {
+  const double edge = std::ldexp(edge_, number);
+  Level level{.number = number, .largest = 0.0, .axis = {}, .head = {}};
+  std::array<std::int64_t, 3> whole{}, kept{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto axis = static_cast<Eigen::Index>(k);
+    const double length = std::isfinite(periods_[axis]) ? periods_[axis] : extent_[axis] + edge;
+    whole[k] = static_cast<std::int64_t>(std::max(1.0, std::min(1e15, std::floor(length / edge))));
+    kept[k] = std::min(whole[k], most_cells_);
+  }
+  const auto cells = [&] {
+    return static_cast<double>(kept[0]) * static_cast<double>(kept[1]) * static_cast<double>(kept[2]);
+  };
+  while (cells() > static_cast<double>(most_cells_)) {
+    std::int64_t& longest = *std::max_element(kept.begin(), kept.end());
+    longest -= (longest + 7) / 8;
+  }
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double period = periods_[static_cast<Eigen::Index>(k)];
+    // A period holds a multiple of the cells that are kept, so that they repeat themselves with it.
+    const double per_period = static_cast<double>(whole[k] / kept[k] * kept[k]);
+    level.axis[k] = {std::isfinite(period) ? per_period / period : 1.0 / edge, period, kept[k]};
+  }
+  level.head.assign(static_cast<std::size_t>(cells()), -1);
+  return level;
+}
+
+// Rounding never takes a place out of the cut: what is rounded alike keeps its order, and the rest is allowed for.
+Cells::Cut Cells::cut(const Axis& axis, double place, double reach, double rounding) {
+  if (std::isfinite(axis.period)) place -= axis.period * std::floor(place / axis.period);
+  const double margin = reach * (1.0 + 1e-12) + rounding;
+  const double from = std::floor(std::clamp((place - margin) * axis.per_length, -farthest_cell, farthest_cell));
+  const double to = std::floor(std::clamp((place + margin) * axis.per_length, -farthest_cell, farthest_cell));
+  if (!(to - from + 1.0 < static_cast<double>(axis.cells))) return {0, axis.cells};
+  return {folded(from, axis.cells), static_cast<std::int64_t>(to - from) + 1};
+}
+
+std::array<Cells::Cut, 3> Cells::cuts(const Level& level, const Eigen::Vector3d& place, double reach) const {
+  std::array<Cut, 3> all{};
+  if (!place.allFinite()) return all;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto axis = static_cast<Eigen::Index>(k);
+    // A place is moved into the first period with the roundings of where it was.
+    const double far = std::abs(place[axis]) + (std::isfinite(periods_[axis]) ? farthest_[axis] + periods_[axis] : 0.0);
+    all[k] = cut(level.axis[k], place[axis], reach, 8.0 * rounding_unit * far);
+  }
+  return all;
+}
+
+void Cells::insert(Eigen::Index index, const Eigen::Vector3d& place, double size) {
+  if (!(place.allFinite() && std::isfinite(size))) return;
+  const int number = level(size);
+  auto here = std::find_if(levels_.begin(), levels_.end(), [&](const Level& one) { return one.number == number; });
+  if (here == levels_.end()) here = levels_.insert(here, empty_level(number));
+  here->largest = std::max(here->largest, size);
+  farthest_ = farthest_.cwiseMax(place.cwiseAbs());
+  std::int64_t cell = 0;
+  for (std::size_t k = 3; k-- > 0;) {
+    cell = cell * here->axis[k].cells + cut(here->axis[k], place[static_cast<Eigen::Index>(k)], 0.0, 0.0).first;
+  }
+  std::int32_t& head = here->head[static_cast<std::size_t>(cell)];
+  bodies_.push_back({.place = place, .size = size, .index = static_cast<std::int32_t>(index), .next = head});
+  head = static_cast<std::int32_t>(bodies_.size()) - 1;
+}
+
+}  // namespace particulate::kinematics
