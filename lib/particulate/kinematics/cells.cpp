@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -33,10 +34,7 @@ std::int64_t folded(double cell, std::int64_t cells) {
 }  // namespace
 
 Cells::Cells(const Space& domain, const Eigen::Vector3d& extent, double edge, Eigen::Index bodies)
-    : periods_(domain.lengths),
-      extent_(extent),
-      edge_(edge),
-      most_cells_(std::max<std::int64_t>(64, 2 * static_cast<std::int64_t>(bodies))) {
+    : periods_(domain.lengths), extent_(extent), edge_(edge), most_bodies_(bodies) {
   if (!(edge > 0.0 && std::isfinite(edge))) {
     throw std::invalid_argument(fmt::format("cells: their edge must be positive and finite, got {} m", edge));
   }
@@ -55,20 +53,22 @@ int Cells::level(double size) const {
   return std::frexp(edges, &exponent) == 0.5 ? exponent - 1 : exponent;
 }
 
-Cells::Level Cells::empty_level(int number) const {
+// With room for so many bodies.
+Cells::Level Cells::empty_level(int number, std::int64_t room) const {
   const double edge = std::ldexp(edge_, number);
-  Level level{.number = number, .largest = 0.0, .axis = {}, .head = {}};
+  const std::int64_t most_cells = 2 * room;
+  Level level{.number = number, .bodies = 0, .room = room, .largest = 0.0, .axis = {}, .head = {}};
   std::array<std::int64_t, 3> whole{}, kept{};
   for (std::size_t k = 0; k < 3; ++k) {
     const auto axis = static_cast<Eigen::Index>(k);
     const double length = std::isfinite(periods_[axis]) ? periods_[axis] : extent_[axis] + edge;
     whole[k] = static_cast<std::int64_t>(std::max(1.0, std::min(1e15, std::floor(length / edge))));
-    kept[k] = std::min(whole[k], most_cells_);
+    kept[k] = std::min(whole[k], most_cells);
   }
   const auto cells = [&] {
     return static_cast<double>(kept[0]) * static_cast<double>(kept[1]) * static_cast<double>(kept[2]);
   };
-  while (cells() > static_cast<double>(most_cells_)) {
+  while (cells() > static_cast<double>(most_cells)) {
     std::int64_t& longest = *std::max_element(kept.begin(), kept.end());
     longest -= (longest + 7) / 8;
   }
@@ -110,16 +110,28 @@ void Cells::insert(Eigen::Index index, const Eigen::Vector3d& place, double size
   if (!(place.allFinite() && std::isfinite(size))) return;
   const int number = level(size);
   auto here = std::find_if(levels_.begin(), levels_.end(), [&](const Level& one) { return one.number == number; });
-  if (here == levels_.end()) here = levels_.insert(here, empty_level(number));
-  here->largest = std::max(here->largest, size);
+  if (here == levels_.end()) here = levels_.insert(here, empty_level(number, 1));
   farthest_ = farthest_.cwiseMax(place.cwiseAbs());
+  bodies_.push_back({.place = place, .size = size, .index = static_cast<std::int32_t>(index), .next = -1});
+  if (here->bodies == here->room) {
+    // Its bodies move into more cells.
+    *here = empty_level(number, std::min(8 * here->room, std::max(most_bodies_, here->room + 1)));
+    for (std::size_t k = 0; k + 1 < bodies_.size(); ++k) {
+      if (level(bodies_[k].size) == number) put(static_cast<std::int32_t>(k), *here);
+    }
+  }
+  put(static_cast<std::int32_t>(bodies_.size()) - 1, *here);
+}
+
+void Cells::put(std::int32_t body, Level& level) {
+  Body& one = bodies_[static_cast<std::size_t>(body)];
   std::int64_t cell = 0;
   for (std::size_t k = 3; k-- > 0;) {
-    cell = cell * here->axis[k].cells + cut(here->axis[k], place[static_cast<Eigen::Index>(k)], 0.0, 0.0).first;
+    cell = cell * level.axis[k].cells + cut(level.axis[k], one.place[static_cast<Eigen::Index>(k)], 0.0, 0.0).first;
   }
-  std::int32_t& head = here->head[static_cast<std::size_t>(cell)];
-  bodies_.push_back({.place = place, .size = size, .index = static_cast<std::int32_t>(index), .next = head});
-  head = static_cast<std::int32_t>(bodies_.size()) - 1;
+  one.next = std::exchange(level.head[static_cast<std::size_t>(cell)], body);
+  level.largest = std::max(level.largest, one.size);
+  ++level.bodies;
 }
 
 }  // namespace particulate::kinematics

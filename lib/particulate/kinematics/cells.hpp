@@ -15,11 +15,11 @@ namespace particulate::kinematics {
 ///
 /// Two bodies are near each other where their distance is at most the sum of their sizes. Cells of level l have edges
 /// \f$ h_0 2^l \f$, and a body lies in a cell of the lowest level whose edge is at least twice its size: a large body
-/// among small ones does not make their cells large. A level has at most some 2 N cells: where it would have more, it
-/// repeats itself, so that what is far away may share a cell, and one body far from all others costs nothing.
+/// among small ones does not make their cells large. A level has few cells for each of its bodies: where it would have
+/// more, it repeats itself, so that what is far away may share a cell, and one body far from all others costs nothing.
 ///
 /// A place is found at a cost that depends on what is near it alone, as long as sizes are not much larger than
-/// spacings. Memory: 48 bytes a body, and 8 more for every level.
+/// spacings. Memory: some 48 to 72 bytes a body.
 class Cells {
  public:
   /// A body as it was inserted.
@@ -89,7 +89,8 @@ class Cells {
   };
   struct Level {
     int number;
-    double largest;  // size of its bodies [m]
+    std::int64_t bodies, room;  // room for how many, before there must be more cells [-]
+    double largest;             // size of its bodies [m]
     std::array<Axis, 3> axis;
     std::vector<std::int32_t> head;  // of each cell, the body inserted last
   };
@@ -98,14 +99,15 @@ class Cells {
     std::int64_t first, count;
   };
 
-  Level empty_level(int number) const;
+  Level empty_level(int number, std::int64_t room) const;
+  void put(std::int32_t body, Level& level);
   static Cut cut(const Axis& axis, double place, double reach, double rounding);
   std::array<Cut, 3> cuts(const Level& level, const Eigen::Vector3d& place, double reach) const;
   static std::int64_t after(std::int64_t cell, const Axis& axis) { return cell + 1 < axis.cells ? cell + 1 : 0; }
 
   Eigen::Vector3d periods_, extent_;
   double edge_;
-  std::int64_t most_cells_;
+  std::int64_t most_bodies_;
   Eigen::Vector3d farthest_ = Eigen::Vector3d::Zero();  // of inserted places from the origin, in each direction [m]
   std::vector<Level> levels_;
   std::vector<Body> bodies_;

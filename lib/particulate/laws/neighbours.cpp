@@ -19,9 +19,10 @@ using Pair = std::pair<std::int32_t, std::int32_t>;  // the smaller number first
 std::vector<std::int32_t> larger_first(const kinematics::Cells& cells, const Eigen::VectorXd& size) {
   std::vector<std::int32_t> order(static_cast<std::size_t>(size.size()));
   std::iota(order.begin(), order.end(), 0);
-  if (cells.level(size.minCoeff()) == cells.level(size.maxCoeff())) return order;
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::int32_t i, std::int32_t j) { return cells.level(size[i]) > cells.level(size[j]); });
+  auto rest = order.begin();
+  for (int level = cells.level(size.maxCoeff()); level > cells.level(size.minCoeff()); --level) {
+    rest = std::stable_partition(rest, order.end(), [&](std::int32_t i) { return cells.level(size[i]) == level; });
+  }
   return order;
 }
 
