@@ -33,26 +33,37 @@ Eigen::VectorXd ClosedGap::shares(const kinematics::VectorsIn& position, const E
 
 namespace {
 
-// Space without periods, for which pairs need not be asked for their images.
-struct Open {
-  const kinematics::Space& space;
-};
-Eigen::Vector3d separation(const Open&, const Eigen::Vector3d& from, const Eigen::Vector3d& to) { return to - from; }
-std::span<const kinematics::Wall> walls(const Open& open) { return open.space.walls; }
+// Of candidates, the pairs that are near enough to touch, whatever rounding or the range of a double makes of their
+// squares: most are not, and need not be looked at closely. In space without periods none is asked for its image.
+template <bool has_periods>
+Touching find_among(const laws::Candidates& candidates, const kinematics::Space& domain,
+                    const laws::At<laws::Velocity>& at, const ClosedGap& tolerance, const Eigen::VectorXd& size) {
+  const double *const x = at.position.data(), *const y = x + candidates.N, *const z = y + candidates.N;
+  const auto apart = [&](const double* r, Eigen::Index i, Eigen::Index j, Eigen::Index axis) {
+    const double d = r[j] - r[i];
+    return has_periods ? kinematics::nearest_image(d, domain.lengths[axis]) : d;
+  };
+  return detail::find_touching(domain, at, tolerance, [&](Eigen::Index i, auto&& visit) {
+    candidates.behind(i, [&](Eigen::Index j) {
+      const double dx = apart(x, i, j, 0), dy = apart(y, i, j, 1), dz = apart(z, i, j, 2), reach = size[i] + size[j];
+      if (dx * dx + dy * dy + dz * dz > (1.0 + 1e-12) * reach * reach + 1e-300) return;
+      visit(j);
+    });
+  });
+}
 
 }  // namespace
 
 Touching find_touching(const kinematics::Space& domain, const laws::At<laws::Velocity>& at,
                        const ClosedGap& tolerance) {
-  const auto among = [&](const laws::Candidates& pairs) {
-    const auto behind = [&](Eigen::Index i, auto&& visit) { pairs.behind(i, visit); };
-    if (kinematics::has_periods(domain)) return detail::find_touching(domain, at, tolerance, behind);
-    return detail::find_touching(Open{domain}, at, tolerance, behind);
+  const auto among = [&](const Eigen::VectorXd& size) {
+    const laws::Candidates near = at.scratch.neighbours.candidates(domain, at.position, size);
+    return kinematics::has_periods(domain) ? find_among<true>(near, domain, at, tolerance, size)
+                                           : find_among<false>(near, domain, at, tolerance, size);
   };
-  laws::Neighbours& neighbours = at.scratch.neighbours;
-  if (tolerance.is_none()) return among(neighbours.candidates(domain, at.position, at.radius));
+  if (tolerance.is_none()) return among(at.radius);
   const Eigen::VectorXd size = at.radius + tolerance.shares(at.position, at.radius);
-  return among(neighbours.candidates(domain, at.position, size));
+  return among(size);
 }
 
 double travel(const laws::At<laws::Velocity>& at, std::span<const kinematics::Wall> walls, double dt) {

@@ -59,6 +59,15 @@ void validate(const Space& domain);
 /// @throws std::invalid_argument naming the direction and the body, what must hold and what was given
 void validate_periods(const Space& domain, const Eigen::VectorXd& radius);
 
+/// The shortest of a distance in one direction and those of its images.
+///
+/// @param d       distance [m]
+/// @param length  after which space repeats itself in that direction; infinite: it does not [m]
+/// @return d less whole lengths, at most half of one [m]
+inline double nearest_image(double d, double length) {
+  return std::abs(d) > 0.5 * length ? d - length * std::nearbyint(d / length) : d;
+}
+
 /// The vector that leads from one place to another, or to the image of that which is nearest in each direction.
 ///
 /// @param domain  with its periods
@@ -67,10 +76,7 @@ void validate_periods(const Space& domain, const Eigen::VectorXd& radius);
 /// @return to - from, less whole periods, so that no component is longer than half a period [m]
 inline Eigen::Vector3d separation(const Space& domain, const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
   Eigen::Vector3d d = to - from;
-  for (Eigen::Index axis = 0; axis < 3; ++axis) {
-    const double length = domain.lengths[axis];
-    if (std::abs(d[axis]) > 0.5 * length) d[axis] -= length * std::nearbyint(d[axis] / length);
-  }
+  for (Eigen::Index axis = 0; axis < 3; ++axis) d[axis] = nearest_image(d[axis], domain.lengths[axis]);
   return d;
 }
 

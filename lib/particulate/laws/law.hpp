@@ -24,7 +24,9 @@ class Scratch {
   Scratch(const Scratch&) {}                            ///< Begins empty.
   Scratch& operator=(const Scratch&) { return *this; }  ///< Keeps its own. @return this
 
-  Neighbours neighbours;  ///< of the bodies of the scene, for all its laws
+  Neighbours neighbours;   ///< of the bodies of the scene, for all its laws
+  Eigen::VectorXd others;  ///< forces of the other laws on bodies that meet, 3 N [N]
+  Eigen::VectorXd after;   ///< velocities after they have met, 3 N [m/s]
 
   static constexpr std::size_t line = 8;  ///< numbers of a cache line [-]
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <limits>
 #include <optional>
 #include <string>
@@ -271,17 +272,18 @@ class Scene {
   schemes::Jump impacts_by(const L& law, const laws::At<laws::Velocity>& here, schemes::State& state, double dt) const {
     contact::Touching touching = contact::find_touching(domain_, here, detail::tolerance_of(law));
     if (!contact::any_approach(touching, here)) return {.overlap = touching.overlap, .unsettled = {}};
-    Eigen::VectorXd others(state.r.size());
+    Eigen::VectorXd &others = scratch_.others, &after = scratch_.after;
+    others.resize(state.r.size());
     if (!total_force(state, others)) {
       const std::string why = why_no_value(state);
       return {.overlap = touching.overlap,
               .evaluations = 1,
               .unsettled = "the forces have no value where bodies touch" + (why.empty() ? "" : ": " + why)};
     }
-    Eigen::VectorXd after = state.v;
+    after = state.v;
     schemes::Jump jump = resolve_impacts(law, here, std::move(touching), others, dt, after);
     jump.evaluations = 1;
-    state.v = after;
+    state.v.swap(after);
     return jump;
   }
 
