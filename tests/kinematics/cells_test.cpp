@@ -1,10 +1,10 @@
 #include <particulate/kinematics/cells.hpp>
 
 #include <cmath>
-#include <random>
 #include <vector>
 
 #include "close.hpp"
+#include "clouds.hpp"
 
 namespace tests::cells_test {
 
@@ -17,16 +17,12 @@ struct Cloud {
   Eigen::Index N() const { return static_cast<Eigen::Index>(place.size()); }
 };
 
-// Places at random in a box, sizes from the smallest to the largest evenly in their logarithm.
 Cloud cloud(int N, const Eigen::Vector3d& box, double smallest, double largest, unsigned seed = 1) {
-  std::mt19937_64 engine(seed);
-  const auto uniform = [&] { return static_cast<double>(engine() >> 11) * 0x1p-53; };
+  const Particles all = random_cloud(N, box, smallest, largest, seed);
   Cloud c;
-  for (int i = 0; i < N; ++i) {
-    Eigen::Vector3d at;
-    for (Eigen::Index k = 0; k < 3; ++k) at[k] = box[k] * uniform();
-    c.place.push_back(at);
-    c.size.push_back(smallest * std::pow(largest / smallest, uniform()));
+  for (Eigen::Index i = 0; i < N; ++i) {
+    c.place.push_back(vector(all.position, i));
+    c.size.push_back(all.radius[i]);
   }
   return c;
 }
@@ -56,11 +52,7 @@ Mistakes mistakes(const Space& space, const Cloud& c, const Eigen::Vector3d& ext
   for (std::size_t i = 0; i < c.place.size(); ++i) {
     const std::vector<int> times = visits(cells, c, c.place[i], c.size[i]);
     for (std::size_t j = 0; j < c.place.size(); ++j) {
-      Eigen::Vector3d apart = c.place[j] - c.place[i];
-      for (Eigen::Index k = 0; k < 3; ++k) {
-        if (std::isfinite(space.lengths[k])) apart[k] = std::remainder(apart[k], space.lengths[k]);
-      }
-      const bool near = apart.norm() <= c.size[i] + c.size[j];
+      const bool near = separation(space, c.place[i], c.place[j]).norm() <= c.size[i] + c.size[j];
       found.missed += near && times[j] == 0 ? 1 : 0;
       found.repeated += times[j] > 1 ? 1 : 0;
       found.visited += times[j];

@@ -27,8 +27,33 @@ double ClosedGap::between(const kinematics::VectorsIn& position, const Eigen::Ve
   return relative * reach + roundings * std::numeric_limits<double>::epsilon() * size;
 }
 
-template Touching find_touching<kinematics::Space>(const kinematics::Space&, const laws::At<laws::Velocity>&,
-                                                   const ClosedGap&);
+Eigen::VectorXd ClosedGap::shares(const kinematics::VectorsIn& position, const Eigen::VectorXd& radius) const {
+  return relative * radius + roundings * std::numeric_limits<double>::epsilon() * position.rowwise().norm();
+}
+
+namespace {
+
+// Space without periods, for which pairs need not be asked for their images.
+struct Open {
+  const kinematics::Space& space;
+};
+Eigen::Vector3d separation(const Open&, const Eigen::Vector3d& from, const Eigen::Vector3d& to) { return to - from; }
+std::span<const kinematics::Wall> walls(const Open& open) { return open.space.walls; }
+
+}  // namespace
+
+Touching find_touching(const kinematics::Space& domain, const laws::At<laws::Velocity>& at,
+                       const ClosedGap& tolerance) {
+  const auto among = [&](const laws::Candidates& pairs) {
+    const auto behind = [&](Eigen::Index i, auto&& visit) { pairs.behind(i, visit); };
+    if (kinematics::has_periods(domain)) return detail::find_touching(domain, at, tolerance, behind);
+    return detail::find_touching(Open{domain}, at, tolerance, behind);
+  };
+  laws::Neighbours& neighbours = at.scratch.neighbours;
+  if (tolerance.is_none()) return among(neighbours.candidates(domain, at.position, at.radius));
+  const Eigen::VectorXd size = at.radius + tolerance.shares(at.position, at.radius);
+  return among(neighbours.candidates(domain, at.position, size));
+}
 
 double travel(const laws::At<laws::Velocity>& at, std::span<const kinematics::Wall> walls, double dt) {
   const Eigen::Index N = at.mass.size();

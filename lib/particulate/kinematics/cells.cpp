@@ -14,10 +14,18 @@ constexpr double rounding_unit = std::numeric_limits<double>::epsilon();
 // The number of a cell stays finite.
 constexpr double farthest_cell = 1e300;
 
+// std::floor() is a call where the processor need not have an instruction for it.
+double whole(double x) {
+  if (!(std::abs(x) < 1e15)) return std::floor(x);
+  const double towards_zero = static_cast<double>(static_cast<std::int64_t>(x));
+  return towards_zero > x ? towards_zero - 1.0 : towards_zero;
+}
+
 // Which of so many cells that repeat themselves; whole numbers are held exactly, however large.
 std::int64_t folded(double cell, std::int64_t cells) {
   const double n = static_cast<double>(cells);
-  if (std::abs(cell) < 1e15) return static_cast<std::int64_t>(cell - n * std::floor(cell / n));
+  if (cell >= 0.0 && cell < n) return static_cast<std::int64_t>(cell);
+  if (std::abs(cell) < 1e15) return static_cast<std::int64_t>(cell - n * whole(cell / n));
   const double rest = std::fmod(cell, n);
   return static_cast<std::int64_t>(rest < 0.0 ? rest + n : rest);
 }
@@ -76,10 +84,12 @@ Cells::Level Cells::empty_level(int number) const {
 
 // Rounding never takes a place out of the cut: what is rounded alike keeps its order, and the rest is allowed for.
 Cells::Cut Cells::cut(const Axis& axis, double place, double reach, double rounding) {
-  if (std::isfinite(axis.period)) place -= axis.period * std::floor(place / axis.period);
+  if (std::isfinite(axis.period) && !(place >= 0.0 && place < axis.period)) {
+    place -= axis.period * whole(place / axis.period);
+  }
   const double margin = reach * (1.0 + 1e-12) + rounding;
-  const double from = std::floor(std::clamp((place - margin) * axis.per_length, -farthest_cell, farthest_cell));
-  const double to = std::floor(std::clamp((place + margin) * axis.per_length, -farthest_cell, farthest_cell));
+  const double from = whole(std::clamp((place - margin) * axis.per_length, -farthest_cell, farthest_cell));
+  const double to = whole(std::clamp((place + margin) * axis.per_length, -farthest_cell, farthest_cell));
   if (!(to - from + 1.0 < static_cast<double>(axis.cells))) return {0, axis.cells};
   return {folded(from, axis.cells), static_cast<std::int64_t>(to - from) + 1};
 }
