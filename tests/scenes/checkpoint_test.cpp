@@ -139,7 +139,7 @@ void same_bits(const Cloud& cloud, const std::string& which, const Advance& adva
   BOOST_TEST((whole.outcome.status == Status::reached));
   BOOST_TEST_REQUIRE(whole.marks.size() == 5U);
   BOOST_TEST(whole.outcome.impacts > 3);
-  for (const std::size_t mark : {0U, 2U, 3U}) {
+  for (const std::size_t mark : {1U, 3U}) {
     const Left rest = go(cloud, advance, whole.marks[mark]);
     BOOST_TEST((rest.end == whole.end));
     BOOST_TEST(rest.marks.size() == 4U - mark);
@@ -150,10 +150,10 @@ void same_bits(const Cloud& cloud, const std::string& which, const Advance& adva
 template <class S>
 void same_bits(const Cloud& cloud, const std::string& which, const S& scheme) {
   if constexpr (Iterative<S>) {
-    same_bits(cloud, which + ", fixed step", by(scheme, FixedStep{.step = 0.013, .TOL = 1e-8}));
+    same_bits(cloud, which + ", fixed step", by(scheme, FixedStep{.step = 0.019, .TOL = 1e-8}));
     same_bits(cloud, which + ", Phi_K", by(scheme, PhiControl{.TOL = 1e-8, .K_d = 5, .limit = 0.02}));
   } else {
-    same_bits(cloud, which + ", fixed step", by(scheme, FixedStep{.step = 0.013}));
+    same_bits(cloud, which + ", fixed step", by(scheme, FixedStep{.step = 0.019}));
   }
   if constexpr (EstimatesTruncation<S>) {
     same_bits(cloud, which + ", error control",
@@ -170,7 +170,7 @@ void same_bits(const Cloud& cloud) {
   same_bits(cloud, "Gauss 4", Collocation<Gauss<4>>());
   same_bits(cloud, "Radau 2, compensated, Picard", Collocation<Radau<2>, Picard>({.compensated = true}));
   same_bits(cloud, "Gauss 4, Anderson", Collocation<Gauss<4>, Anderson>());
-  same_bits(cloud, "sweeps that are cut off", by(Collocation<Gauss<2>>(), FixedSweeps{.step = 0.013}));
+  same_bits(cloud, "sweeps that are cut off", by(Collocation<Gauss<2>>(), FixedSweeps{.step = 0.019}));
 }
 
 BOOST_AUTO_TEST_SUITE(run_that_goes_on)

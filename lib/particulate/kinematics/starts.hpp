@@ -46,7 +46,7 @@ inline constexpr double saturation = 0.3841;
 /// sequential addition.
 ///
 /// @equation{R 4.1} The start of chapters 4 and 9. It is not a gas in equilibrium, and comes to a standstill: at the
-/// fraction #saturation without edges; with 1000 spheres wholly inside a cube near 0.35, as edges keep them out; with
+/// fraction 0.3841 without edges; with 1000 spheres wholly inside a cube near 0.35, as edges keep them out; with
 /// 1000 centres in a cube near 0.47, as half of a sphere may stick out. Near that each further sphere takes many
 /// attempts: by default 1000 in a periodic cube reach 0.355. Of several sizes, more fit if the largest come first.
 ///

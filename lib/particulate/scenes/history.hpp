@@ -65,6 +65,7 @@ class History {
 
   /// @return the columns' names with their units
   const std::vector<std::string>& columns() const { return columns_; }
+  /// A row a time, a column a name.
   using Rows = Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>;
   /// @return the rows so far: a view that the next step of the run ends
   Rows rows() const;
