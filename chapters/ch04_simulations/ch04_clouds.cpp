@@ -60,5 +60,5 @@ void clouds(const Parameters& p, Journal& journal, const report::Output& output,
 //! does. Without a near field it can only fall, by impacts. With one, spheres that are too close push each other apart,
 //! and the potential of the start turns into motion, until the cloud has room; then impacts take over.
 //!
-//! By these figures the strongest near field loses the most of its motion again. Whether it does is the question of
-//! @ref ch04_steps "the next page".
+//! By these figures the strongest near field gains most at first, and in the end has lost it again. Whether it does is the
+//! question of @ref ch04_steps "the next page".

@@ -36,7 +36,7 @@ struct Parameters {
   report::CommandLine& line;
   int& particles =
       line.field(1000, {"particles", "spheres, a fifth of them with --quick", "-", between(50, 2000), "4.1"});
-  double& L = line.field(0.25, {"L", "length ratio b/V^(1/3)", "-", between(0.05, 0.4), "4.1"});
+  double& L = line.field(0.25, {"length_ratio", "L, the length ratio b/V^(1/3)", "-", between(0.05, 0.4), "4.1"});
   double& density = line.field(2000.0, {"density", "of the spheres", "kg/m^3", between(1.0, 1e5), "4.1"});
   double& e_o = line.field(0.5, {"e_o", "restitution of a slow impact", "-", between(0.1, 1.0), "4.1"});
   double& mu_s = line.field(0.2, {"mu_s", "static friction, at least mu_d", "-", between(0.0, 1.0), "4.1"});
@@ -80,7 +80,7 @@ inline constexpr std::array<Strength, 4> near_fields{
 //! way is collocation at four Gauss nodes, which ends a step where a contact happens.
 
 enum class Way { backward_euler, verlet, located };
-inline constexpr std::array<const char*, 3> ways{"backward Euler", "Verlet", "Gauss, located"};
+inline constexpr std::array<const char*, 3> ways{"backward Euler", "Verlet", "located Gauss"};
 
 struct Run {
   std::size_t near_field;  // which of the four

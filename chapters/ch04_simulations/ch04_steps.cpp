@@ -80,14 +80,15 @@ void steps(const Parameters& p, Journal& journal, report::Chapter& chapter, repo
 
 //! @section ch04_steps_results What is left of the differences
 //!
-//! @figure{ch04_steps, Relative energy at the end against the limit of the step\, for the four near fields. Lines: with located contacts.}
+//! @figure{ch04_steps, Relative energy at the end against the limit of the step\, for the four near fields: backward Euler (full)\, Verlet (broken)\, and with located contacts (thin lines).}
 //!
 //! @table{ch04_ends}
 //!
-//! Read the table by case. In the limit of small steps both stepped ways and the located one agree, and a stronger near
-//! field leaves the cloud *more* motion, not less: more potential has turned into it. With the limit of the monograph's
-//! step, backward Euler takes so much of that away that the order of the cases is another. Its sweeps have converged to
-//! TOL all the same. What TOL bounds is the error of the sweeps, and nothing else.
+//! Read the figure from right to left. As steps become small, both stepped ways come near to the located one, up to the
+//! scatter that single impacts make: a cloud in which one impact happens otherwise is another cloud a little later. In
+//! that limit a stronger near field leaves *more* motion, because more potential has turned into it. With the step of
+//! the monograph backward Euler takes so much of that away that the strongest case falls below the one before. Its sweeps
+//! have converged to TOL all the same: what TOL bounds is the error of the sweeps, and nothing else.
 //!
 //! The column of overlaps says the same of contacts. With the longest step spheres enter each other by a large part of
 //! their radius before anything is done about it; some that graze are never seen at all. With located contacts there is

@@ -2,7 +2,7 @@
 load style
 file(name) = data.'/'.name.'.csv'
 case(k) = word('(1) (2) (3) (4)', k)
-of(k, column) = strstrt(strcol(1), case(k)) == 1 ? column(column) : NaN
+of(k, c) = strstrt(strcol(1), case(k)) == 1 ? column(c) : NaN
 title_of(k) = word('none weak medium strong', k)
 
 set output 'ch04_proportions.svg'
@@ -27,9 +27,10 @@ set xlabel 'limit of the step [s]'
 set ylabel 'relative energy at the end [J/kg]'
 set logscale x
 set format x '%g'
-set offsets graph 0.05, graph 0.05, graph 0.05, graph 0.05
-way(name, k, column) = strcol(2) eq name ? of(k, column) : NaN
-do for [k = 1:4] { stats file('ends') skip 1 using (way('Gauss, located', k, 4)) name sprintf('limit%d', k) nooutput }
+set xrange [*:*] noextend
+set offsets graph 0.02, graph 0.06, graph 0.05, graph 0.05
+way(name, k, c) = strcol(2) eq name ? of(k, c) : NaN
+do for [k = 1:4] { stats file('ends') skip 1 using (way('located Gauss', k, 4)) name sprintf('limit%d', k) nooutput }
 limit(k) = k == 1 ? limit1_mean : k == 2 ? limit2_mean : k == 3 ? limit3_mean : limit4_mean
 plot for [k = 1:4] file('ends') skip 1 using 3:(way('backward Euler', k, 4)) with linespoints lt k title title_of(k), \
      for [k = 1:4] file('ends') skip 1 using 3:(way('Verlet', k, 4)) with linespoints lt k dt (4,3) notitle, \
@@ -56,9 +57,9 @@ set cbrange [0:speed_max]
 set xrange [-0.75:0.75]
 set yrange [-0.75:0.75]
 behind_first = "< tail -n +2 '".file('places')."' | sort -t, -k1,1g -k4,4g"
-at(t, column) = abs(column(1) - t) < 1e-9*moment_max ? column(column) : NaN
+at(t, c) = abs(column(1) - t) < 1e-9*moment_max ? column(c) : NaN
 
-set terminal svg size 640,560 dynamic enhanced font 'sans-serif,16' background '#ffffff' rounded
+set terminal svg size 640,480 dynamic enhanced font 'sans-serif,16' background '#ffffff' rounded
 set output 'ch04_start.svg'
 plot behind_first using (at(0, 2)):3:5:8 with circles lc palette lw 0.6, \
      behind_first using (at(0, 2)):3:(0.05*$6):(0.05*$7) with vectors nohead lc rgb 'black' lw 1.2
