@@ -27,6 +27,7 @@ set xlabel 'limit of the step [s]'
 set ylabel 'relative energy at the end [J/kg]'
 set logscale x
 set format x '%g'
+set xtics add (0.002, 0.005)
 set xrange [*:*] noextend
 set offsets graph 0.02, graph 0.06, graph 0.05, graph 0.05
 way(name, k, c) = strcol(2) eq name ? of(k, c) : NaN
@@ -38,6 +39,7 @@ plot for [k = 1:4] file('ends') skip 1 using 3:(way('backward Euler', k, 4)) wit
      NaN with linespoints lt 7 dt 1 pt 7 title 'Euler', NaN with linespoints lt 7 dt (4,3) title 'Verlet', \
      NaN with lines lt 7 lw 0.9 dt 1 title 'located'
 unset logscale
+set xtics autofreq
 unset offsets
 
 # Spheres in their true size about the centre of the cloud, those in front drawn last.
