@@ -7,8 +7,8 @@
 #include <Eigen/Core>
 
 /// @file
-/// The header to keep: write these functions in cell_list.cpp, and change nothing here. Only your variant is to be coded,
-/// which the head of the score table names: run the check once to learn it.
+/// The header to keep: write these functions in cell_list.cpp, and change nothing here. Only your variant is to be
+/// coded, which the head of the score table names: run the check once to learn it.
 
 /// Where the bodies are: from 0 up to, without, a length in each direction, in some of which everything repeats itself.
 struct Box {

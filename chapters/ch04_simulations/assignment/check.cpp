@@ -129,7 +129,8 @@ const std::vector<std::pair<OfAxis, std::string>> cell_flaws{
        const double c = std::trunc(a.x * a.cells / a.length), n = a.cells;
        return a.periodic ? std::fmod(c, n) : std::clamp(c, 0.0, n - 1.0);
      },
-     "negative places: a cast to int cuts off towards 0, where std::floor() is meant, and the remainder % of a negative "
+     "negative places: a cast to int cuts off towards 0, where std::floor() is meant, and the remainder % of a "
+     "negative "
      "number is negative"},
     {[](const Axis& a) {
        const double c = std::floor(a.x * a.cells / a.length), n = a.cells;
@@ -166,7 +167,8 @@ const std::vector<std::pair<Count, std::string>> count_flaws{
      "cells shorter than they may be: round down, or bodies within reach lie farther apart than the cells that are "
      "looked at"},
     {[](double x, int) { return std::max(1.0, std::round(x)); },
-     "cells shorter than they may be: round down, not to the nearest, or bodies within reach lie farther apart than the "
+     "cells shorter than they may be: round down, not to the nearest, or bodies within reach lie farther apart than "
+     "the "
      "cells that are looked at"},
     {[](double x, int) { return std::floor(x) + 1.0; }, "one cell too many: round down, and take at least 1"},
     {[](double x, int) { return std::max(1.0, std::ceil(x) - 1.0); },
@@ -188,7 +190,8 @@ Question ask_image(const Vector3d& d, const Box& box) {
 
 Question ask_count(const Box& box, double reach, int variant) {
   const auto with = [&](const Count& count) {
-    return along_each(box.length, box, Cell{}, [&](const Axis& a) { return count(variant * a.length / reach, variant); });
+    return along_each(box.length, box, Cell{},
+                      [&](const Axis& a) { return count(variant * a.length / reach, variant); });
   };
   Question question{.function = "cells_across", .inputs = numbers(box)};
   question.inputs.push_back(reach);
@@ -202,10 +205,9 @@ Question ask_cell(const Vector3d& place, const Box& box, const Cell& cells) {
   const Vector3d home = wrapped(space(box), place);
   return {.function = "cell_of",
           .inputs = numbers(place, box, cells),
-          .expected = along_each(home, box, cells,
-                                 [](const Axis& a) {
-                                   return std::clamp(std::floor(a.x * a.cells / a.length), 0.0, a.cells - 1.0);
-                                 }),
+          .expected = along_each(
+              home, box, cells,
+              [](const Axis& a) { return std::clamp(std::floor(a.x * a.cells / a.length), 0.0, a.cells - 1.0); }),
           .mistakes = mistakes(cell_flaws, [&](const OfAxis& flaw) { return along_each(place, box, cells, flaw); }),
           .otherwise = "cell c reaches from c up to c + 1 lengths of a cell, length/cells, in that direction"};
 }
@@ -216,9 +218,7 @@ Box some_box(const cloud::Three<bool>& periodic, Draw& draw) {
 }
 
 // A vector whose components are so many lengths.
-Vector3d lengths(const Box& box, double x, double y, double z) {
-  return box.length.cwiseProduct(Vector3d{x, y, z});
-}
+Vector3d lengths(const Box& box, double x, double y, double z) { return box.length.cwiseProduct(Vector3d{x, y, z}); }
 
 Line image_line(int, Draw& draw) {
   Line line{.name = "nearest_image: inside, across faces and corners", .points = 2.0, .absolute = 1e-12};
@@ -437,7 +437,9 @@ Numbers inputs(const Cloud& of) {
 Question ask_pairs(const Cloud& of, int variant) {
   Question question{.function = "near_pairs", .inputs = inputs(of), .count = room};
   question.inputs.push_back(static_cast<double>(room));
-  question.holds = [judge = Judge(of, variant)](const Answers& answers, std::size_t own) { return judge(answers[own]); };
+  question.holds = [judge = Judge(of, variant)](const Answers& answers, std::size_t own) {
+    return judge(answers[own]);
+  };
   return question;
 }
 
@@ -501,41 +503,38 @@ Line cost_line(int variant, Draw& draw) {
   Line line{.name = "cost: distances asked for grow as the number of bodies", .points = 2.0};
   for (const int n : {8, 12, 16}) line.questions.push_back(ask_counted(n, n * n * n, variant, draw));
   line.questions.back().holds = [right = line.questions.back().holds](const Answers& answers,
-                                                                     std::size_t own) -> std::optional<Finding> {
+                                                                      std::size_t own) -> std::optional<Finding> {
     if (const std::optional<Finding> wrong = right(answers, own)) return wrong;
     const double slope = std::log(answers[own][0] / answers[0][0]) / std::log(8.0);
     if (slope < 1.1) return std::nullopt;
-    return Finding{"a slope of log distances against log N below 1.1, from 512 to 4096 bodies",
-                   fmt::format("a slope of {:.2f}: {} distances for 512, {} for 4096", slope, answers[0][0],
-                               answers[own][0]),
-                   slope > 1.8 ? "that is the cost of all pairs: sort the bodies into lists, one a cell, and ask only for "
-                                 "pairs in cells next to one another"
-                               : "only pairs in cells next to one another need their distance"};
+    return Finding{
+        "a slope of log distances against log N below 1.1, from 512 to 4096 bodies",
+        fmt::format("a slope of {:.2f}: {} distances for 512, {} for 4096", slope, answers[0][0], answers[own][0]),
+        slope > 1.8 ? "that is the cost of all pairs: sort the bodies into lists, one a cell, and ask only for "
+                      "pairs in cells next to one another"
+                    : "only pairs in cells next to one another need their distance"};
   };
   return line;
 }
 
 // Too many for loops over all pairs, even for those that do no more than compare cells, which no count tells.
 Line large_line(int variant, Draw& draw) {
-  return {.name = "cost: 64000 bodies",
-          .points = 1.0,
-          .questions = {ask_counted(40 * variant, 64000, variant, draw)}};
+  return {.name = "cost: 64000 bodies", .points = 1.0, .questions = {ask_counted(40 * variant, 64000, variant, draw)}};
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   const std::string box = "length[3] periodic[3]", search = box + " cells[3] reach seed N";
-  return grading::run(
-      argc, argv,
-      {.title = "Chapter 4: the cell list",
-       .variants = {"cells at least as long as the reach, one layer of neighbours",
-                    "cells at least half as long as the reach, two layers of neighbours"},
-       .lines = {image_line, far_image_line, count_line, cell_line, far_cell_line, pairs_line, few_cells_line, cost_line,
-                 large_line},
-       .calls = {{"nearest_image", "d[3] " + box + " -> d[3]"},
-                 {"cells_across", box + " reach -> cells[3]"},
-                 {"cell_of", "place[3] " + box + " cells[3] -> cell[3]"},
-                 {"near_pairs", search + " room -> pairs ... i j"},
-                 {"near_pairs_counted", search + " -> distances pairs sum"}}});
+  return grading::run(argc, argv,
+                      {.title = "Chapter 4: the cell list",
+                       .variants = {"cells at least as long as the reach, one layer of neighbours",
+                                    "cells at least half as long as the reach, two layers of neighbours"},
+                       .lines = {image_line, far_image_line, count_line, cell_line, far_cell_line, pairs_line,
+                                 few_cells_line, cost_line, large_line},
+                       .calls = {{"nearest_image", "d[3] " + box + " -> d[3]"},
+                                 {"cells_across", box + " reach -> cells[3]"},
+                                 {"cell_of", "place[3] " + box + " cells[3] -> cell[3]"},
+                                 {"near_pairs", search + " room -> pairs ... i j"},
+                                 {"near_pairs_counted", search + " -> distances pairs sum"}}});
 }

@@ -71,8 +71,8 @@ int main(int argc, char** argv) {
           return {d.x(), d.y(), d.z()};
         }},
        {"cells_across", [](const Numbers& x) -> Numbers { return numbers(cells_across(box_at(x, 0), x[6])); }},
-       {"cell_of", [](const Numbers& x) -> Numbers { return numbers(cell_of(vector_at(x, 0), box_at(x, 3), cell_at(x, 9))); }},
-       {"near_pairs",
-        [](const Numbers& x) -> Numbers { return listed(search(x), static_cast<std::size_t>(x[12])); }},
+       {"cell_of",
+        [](const Numbers& x) -> Numbers { return numbers(cell_of(vector_at(x, 0), box_at(x, 3), cell_at(x, 9))); }},
+       {"near_pairs", [](const Numbers& x) -> Numbers { return listed(search(x), static_cast<std::size_t>(x[12])); }},
        {"near_pairs_counted", [](const Numbers& x) -> Numbers { return counted(search(x)); }}});
 }

@@ -45,8 +45,8 @@ int floored(double x) { return static_cast<int>(std::floor(x)); }
 // Right pairs but for which neighbours are looked at.
 Pairs pairs_around(const Cells& cell, const Cell& cells, const Box& box, const IsNear& is_near, int layers,
                    right::Around around) {
-  Pairs pairs =
-      right::pairs_where(cell, cells, box, layers, [&](int i, int j) { return i < j && is_near(i, j); }, around);
+  Pairs pairs = right::pairs_where(
+      cell, cells, box, layers, [&](int i, int j) { return i < j && is_near(i, j); }, around);
   right::sort(pairs);
   return pairs;
 }
@@ -223,8 +223,7 @@ const std::vector<Mistake<Functions>> mistakes{
     // hint: each pair is named by its smaller number first
     {"both_ways", &Functions::near_pairs,
      [](const Cells& cell, const Cell& cells, const Box& box, const IsNear& is_near) {
-       Pairs pairs =
-           right::pairs_where(cell, cells, box, 1, [&](int i, int j) { return i != j && is_near(i, j); });
+       Pairs pairs = right::pairs_where(cell, cells, box, 1, [&](int i, int j) { return i != j && is_near(i, j); });
        right::sort(pairs);
        return pairs;
      }},
@@ -234,8 +233,7 @@ const std::vector<Mistake<Functions>> mistakes{
     // hint: each pair was found from both of its cells
     {"twice", &Functions::near_pairs,
      [](const Cells& cell, const Cell& cells, const Box& box, const IsNear& is_near) {
-       Pairs pairs =
-           right::pairs_where(cell, cells, box, 1, [&](int i, int j) { return i != j && is_near(i, j); });
+       Pairs pairs = right::pairs_where(cell, cells, box, 1, [&](int i, int j) { return i != j && is_near(i, j); });
        for (Pair& pair : pairs) pair = {std::min(pair.i, pair.j), std::max(pair.i, pair.j)};
        right::sort(pairs);
        return pairs;
@@ -246,8 +244,7 @@ const std::vector<Mistake<Functions>> mistakes{
     // hint: a body is no pair with itself
     {"itself", &Functions::near_pairs,
      [](const Cells& cell, const Cell& cells, const Box& box, const IsNear& is_near) {
-       Pairs pairs =
-           right::pairs_where(cell, cells, box, 1, [&](int i, int j) { return i <= j && is_near(i, j); });
+       Pairs pairs = right::pairs_where(cell, cells, box, 1, [&](int i, int j) { return i <= j && is_near(i, j); });
        right::sort(pairs);
        return pairs;
      }},
@@ -274,8 +271,8 @@ const std::vector<Mistake<Functions>> mistakes{
          if (c + 1 < n || (periodic && n > 1)) all.push_back((c + 1) % n);
          return all;
        };
-       Pairs pairs =
-           right::pairs_where(cell, cells, box, 1, [&](int i, int j) { return i != j && is_near(i, j); }, forward);
+       Pairs pairs = right::pairs_where(
+           cell, cells, box, 1, [&](int i, int j) { return i != j && is_near(i, j); }, forward);
        for (Pair& pair : pairs) pair = {std::min(pair.i, pair.j), std::max(pair.i, pair.j)};
        right::sort(pairs);
        const auto same = [](const Pair& a, const Pair& b) { return a.i == b.i && a.j == b.j; };

@@ -99,8 +99,7 @@ std::vector<Pair> pairs_where(const std::vector<Cell>& cell, const Cell& cells, 
 
 template <int layers>
 std::vector<Pair> near_pairs(const std::vector<Cell>& cell, const Cell& cells, const Box& box, const IsNear& is_near) {
-  std::vector<Pair> pairs =
-      pairs_where(cell, cells, box, layers, [&](int i, int j) { return i < j && is_near(i, j); });
+  std::vector<Pair> pairs = pairs_where(cell, cells, box, layers, [&](int i, int j) { return i < j && is_near(i, j); });
   sort(pairs);
   return pairs;
 }
