@@ -29,10 +29,10 @@ bool is_table(const std::string& name) {
 
 // Whatever a list says, nothing but the results of runs is ever taken down.
 bool is_result(const std::string& file) {
-  const fs::path path(file);
-  const std::string ending = path.extension().string();
+  const std::size_t dot = std::min(file.find('.'), file.size());
+  const std::string ending = file.substr(dot);
   return file == parameters ||
-         (is_table(path.stem().string()) && (ending == ".csv" || ending == ".xyz" || ending == ".vtp"));
+         (is_table(file.substr(0, dot)) && (ending == ".csv" || ending == ".xyz" || ending == ".vtp"));
 }
 
 // What the run at work, or one that was cut short, has written so far.
