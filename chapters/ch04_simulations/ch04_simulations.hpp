@@ -98,7 +98,7 @@ struct Followed {
   double last(const std::string& name) const { return column(name, history.rows() - 1); }
 };
 
-//! @section ch04_journal A journal
+//! @section ch04_keeping A journal
 //!
 //! All runs of the program are kept in a journal. With `--checkpoint` it is saved whenever one of them has gone on by
 //! so many seconds of its motion, complete: what has been followed so far, and where the present run is. Then
