@@ -25,9 +25,9 @@ History::History(const kinematics::Particles& particles, std::vector<double> tim
 void History::name_columns() {
   columns_ = {"time [s]", "bulk [J/kg]", "relative [J/kg]"};
   if (potential_) columns_.emplace_back("potential [J/kg]");
-  for (const char* more :
+  for (const char* further :
        {"lost [J/kg]", "momentum x [kg m/s]", "momentum y [kg m/s]", "momentum z [kg m/s]", "impacts", "overlap [m]"}) {
-    columns_.emplace_back(more);
+    columns_.emplace_back(further);
   }
 }
 
