@@ -63,7 +63,7 @@ count() { grep -oE "$1" "$2" | wc -l || true; }
 
 # What Doxygen left as it was written, and what it expanded where it should have been shown.
 check_commands() {
-  local name=$1 dom=$2 raw commands='ref|subpage|image|htmlinclude|verbinclude|table|figure|equation|parameters|cite'
+  local name=$1 dom=$2 raw commands='ref|subpage|image|htmlinclude|verbinclude|table|figure|animation|equation|parameters|cite'
   while read -r raw; do
     fault "$name" "a command that nobody meant to be read: $raw"
   done < <(grep -oE "(^|[ (])@($commands) .{0,30}|\*\*[A-Za-z].{0,30}|\{#[a-z].{0,30}" "$work/text"

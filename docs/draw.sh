@@ -1,8 +1,8 @@
 #!/bin/sh
 # draw.sh <script.gp> <folder> [name=value]...
 # Runs a gnuplot script in an empty <folder>.raw, with the variables given, and leaves the SVG files that it drew in
-# <folder>, in the colours of whoever reads them. Fails if gnuplot does, or warns
-# (of data it cannot find), or draws nothing.
+# <folder>, in the colours of whoever reads them, and films (GIF) as they are. Fails if gnuplot does, or warns (of data
+# it cannot find), or draws nothing.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 script=$(realpath "$1")
@@ -38,3 +38,6 @@ if [ ! -e "$1" ]; then
   exit 1
 fi
 awk -v out="../${folder##*/}" -f "$here/svgtheme.awk" "$@"
+for film in *.gif; do
+  if [ -e "$film" ]; then cp "$film" "../${folder##*/}"; fi
+done

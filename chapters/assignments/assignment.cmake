@@ -13,6 +13,8 @@ set(assignment_topics_ch03 schemes)
 set(assignment_sources_ch03 schemes/collocation schemes/collocation_table schemes/iteration schemes/mixing
     schemes/newton schemes/phi_control schemes/phi_family schemes/problem schemes/scales schemes/stage_solver schemes/state
     schemes/step_rates schemes/step_settings)
+set(assignment_topics_ch04 kinematics)
+set(assignment_sources_ch04 kinematics/cells kinematics/domain)
 
 # assignment_library(<chNN> <variable>): the targets that hold what the check compares with. In the project's own build
 # they are the topics; alone, a library of the few sources that are needed, which compiles in seconds.

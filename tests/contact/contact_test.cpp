@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "close.hpp"
+#include "clouds.hpp"
 #include "moment.hpp"
 
 namespace tests::contact_test {
@@ -25,10 +26,12 @@ static_assert(Conservative<Contact<>, Space>, "a scene with contacts can book it
 
 // A domain of one's own that is what Space is.
 struct Own {
-  std::vector<Wall> planes;
+  Space space;
 };
-Eigen::Vector3d separation(const Own&, const Eigen::Vector3d& from, const Eigen::Vector3d& to) { return to - from; }
-std::span<const Wall> walls(const Own& own) { return own.planes; }
+Eigen::Vector3d separation(const Own& own, const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+  return separation(own.space, from, to);
+}
+std::span<const Wall> walls(const Own& own) { return own.space.walls; }
 
 // Three spheres along x: the first two overlap by 0.5, the last touches the second.
 Moment in_a_row() {
@@ -167,7 +170,7 @@ BOOST_AUTO_TEST_CASE(finds_the_same_in_a_domain_of_ones_own) {
   const std::vector<Wall> planes{Wall{.point = {0.0, 0.0, -0.5}},
                                  {.point = {2.5, 0.0, 0.0}, .normal = {-1.0, 0.0, 0.0}}};
   for (const ClosedGap& tolerance : {ClosedGap{}, ClosedGap{.relative = 0.02, .roundings = 16.0}}) {
-    const Touching found = find_touching(Own{planes}, cloud.at(), tolerance);
+    const Touching found = find_touching(Own{{.walls = planes}}, cloud.at(), tolerance);
     const Touching by_space = find_touching(Space{.walls = planes}, cloud.at(), tolerance);
     BOOST_TEST(found.contacts.size() > 10U);
     BOOST_TEST(found.contacts.size() < 72U);  // not all neighbours and all that stand at a wall
@@ -177,6 +180,41 @@ BOOST_AUTO_TEST_CASE(finds_the_same_in_a_domain_of_ones_own) {
       BOOST_TEST(found.contacts[k].i == by_space.contacts[k].i);
       BOOST_TEST(found.contacts[k].j == by_space.contacts[k].j);
       BOOST_TEST(close(found.contacts[k].n, by_space.contacts[k].n, {}));
+    }
+  }
+}
+
+// Spheres and points of all sizes at random, some of them immovable, found among all pairs and by search, at every age
+// of what the search remembers.
+BOOST_AUTO_TEST_CASE(finds_the_same_among_neighbours_as_among_all_pairs) {
+  const Wall ground{.normal = {0.0, 0.0, 1.0}};
+  const Space spaces[] = {Space{}, Space{.walls = {ground}, .lengths = {1.0, 1.0, infinity}},
+                          Space{.lengths = {1.0, 1.0, 1.0}}};
+  for (const Space& space : spaces) {
+    for (const double largest : {0.02, 0.15}) {
+      Moment cloud{random_cloud(400, {1.0, 1.0, 1.0}, 0.02, largest)};
+      for (Eigen::Index i = 0; i < 400; i += 5) cloud.particles.radius[i] = 0.0, cloud.inverse_mass[399 - i] = 0.0;
+      std::size_t contacts = 0;
+      int others = 0;
+      for (int k = 0; k < 40; ++k) {
+        const ClosedGap tolerance = k % 2 == 0 ? ClosedGap{} : ClosedGap{.relative = 0.02, .roundings = 16.0};
+        const Touching all = find_touching(Own{space}, cloud.at(), tolerance);
+        const Touching found = find_touching(space, cloud.at(), tolerance);
+        const auto same = [](const Touch& a, const Touch& b) {
+          return a.i == b.i && a.j == b.j && a.n == b.n && a.overlap == b.overlap;
+        };
+        others +=
+            std::equal(all.contacts.begin(), all.contacts.end(), found.contacts.begin(), found.contacts.end(), same) &&
+                    all.overlap == found.overlap
+                ? 0
+                : 1;
+        contacts += found.contacts.size();
+        cloud.particles.position += 0.004 * cloud.particles.velocity;
+        cloud.particles.position.col(1).array() += 0.7;
+      }
+      BOOST_TEST(others == 0);
+      BOOST_TEST(contacts > 40U * 5U);
+      BOOST_TEST(cloud.scratch.neighbours.searches() < 20);
     }
   }
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "close.hpp"
+#include "clouds.hpp"
 #include "moment.hpp"
 
 namespace tests::located_contact_test {
@@ -49,7 +50,9 @@ std::optional<double> first(const Flight& flight, const D& domain, double end = 
                       .from = start,
                       .dt = flight.dt,
                       .intervals = flight.intervals};
-  return first_impact(LocatedContact{}, domain, flight.particles.radius, inverse_masses(flight.particles), path, end);
+  Neighbours neighbours;
+  return first_impact(LocatedContact{}, domain, flight.particles.radius, inverse_masses(flight.particles), neighbours,
+                      path, end);
 }
 
 template <class L, class D>
@@ -97,6 +100,35 @@ BOOST_AUTO_TEST_CASE(lets_a_gap_below_it_touch_and_counts_no_overlap_for_it) {
 BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE(first_impact_)
+
+// Space, with its type unknown to the search for gaps: all pairs.
+struct Hidden {
+  Space space;
+};
+Eigen::Vector3d separation(const Hidden& hidden, const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+  return separation(hidden.space, from, to);
+}
+
+BOOST_AUTO_TEST_CASE(is_the_same_among_neighbours_as_among_all_pairs) {
+  for (const Space& space : {Space{}, Space{.lengths = {1.0, infinity, 1.0}}}) {
+    int found = 0;
+    for (unsigned seed = 1; seed <= 40; ++seed) {
+      Flight flight{random_cloud(90, {1.0, 1.0, 1.0}, 5e-3, 0.03, seed)};
+      flight.dt = 0.1;
+      flight.acceleration = 20.0 * random_cloud(90, {1.0, 1.0, 1.0}, 1.0, 1.0, seed + 100).velocity;
+      const std::optional<double> all = first(flight, Hidden{space});
+      BOOST_TEST((first(flight, space) == all));
+      found += all ? 1 : 0;
+    }
+    BOOST_TEST(found > 10);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(may_be_across_a_period) {
+  const Flight flight{spheres(Vectors{{0.5, 0.0, 0.0}, {9.0, 0.0, 0.0}}, Vectors{{-2.0, 0.0, 0.0}, {0.5, 0.0, 0.0}})};
+  BOOST_TEST(first(flight, Space{.lengths = {10.0, infinity, infinity}}).value() == 0.2, tolerance(1e-14));
+  BOOST_TEST(!first(flight, Space{}).has_value());
+}
 
 // A gap of 1 closes at 2 + 3 m/s.
 BOOST_AUTO_TEST_CASE(is_where_two_spheres_touch) {

@@ -41,6 +41,71 @@ BOOST_AUTO_TEST_CASE(vanishes_between_a_place_and_itself) {
 
 BOOST_AUTO_TEST_SUITE_END()
 
+BOOST_AUTO_TEST_SUITE(separation_in_periods)
+
+const Space tube{.lengths = {1.0, infinity, 2.0}};
+
+BOOST_AUTO_TEST_CASE(leads_to_the_nearest_image_across_a_corner) {
+  BOOST_TEST(close(separation(tube, {0.1, 0.1, 0.1}, {0.95, 0.95, 1.95}), Eigen::Vector3d(-0.15, 0.85, -0.15),
+                   {.absolute = 1e-15}));
+}
+
+BOOST_AUTO_TEST_CASE(is_the_same_after_any_number_of_periods) {
+  const Eigen::Vector3d here(0.25, 0.5, 0.75), there(0.5, 0.125, 1.0);
+  for (const double n : {-1e6, -1.0, 1.0, 2.0, 1e6}) {
+    BOOST_TEST(close(separation(tube, here, there + Eigen::Vector3d(n, 0.0, -4.0 * n)),
+                     Eigen::Vector3d(0.25, -0.375, 0.25), {}));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(changes_its_sign_with_the_direction_also_at_half_a_period) {
+  const Eigen::Vector3d from(0.0, 0.0, 0.25);
+  for (const double x : {0.25, 0.5, 0.75, 1.5, 2.5}) {
+    const Eigen::Vector3d to(x, 3.0, 1.25 + x);
+    BOOST_TEST(close(separation(tube, from, to), -separation(tube, to, from), {}));
+    BOOST_TEST(separation(tube, from, to).cwiseAbs().x() <= 0.5);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(has_no_value_where_a_place_has_none) {
+  BOOST_TEST(std::isnan(separation(tube, {not_a_number, 0.0, 0.0}, {0.0, 0.0, 0.0}).x()));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(wrapped_)
+
+BOOST_AUTO_TEST_CASE(brings_a_place_into_the_first_period) {
+  const Space tube{.lengths = {1.0, infinity, 2.0}};
+  BOOST_TEST(close(wrapped(tube, {-0.25, -7.0, 5.5}), Eigen::Vector3d(0.75, -7.0, 1.5), {}));
+  BOOST_TEST(close(wrapped(tube, {1.0, 1.0, -2.0}), Eigen::Vector3d(0.0, 1.0, 0.0), {}));
+  BOOST_TEST(wrapped(tube, {-1e-20, 0.0, 0.0}).x() == 0.0);  // a length less that, rounded, is the length
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(has_periods_)
+
+BOOST_AUTO_TEST_CASE(where_any_length_is_finite) {
+  BOOST_TEST(!has_periods(Space{}));
+  BOOST_TEST(has_periods(Space{.lengths = {infinity, infinity, 3.0}}));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(validate_periods_)
+
+BOOST_AUTO_TEST_CASE(wants_two_diameters_of_the_largest_body) {
+  const Eigen::VectorXd radius = Eigen::Vector3d(0.1, 0.25, 0.0);
+  BOOST_CHECK_NO_THROW(validate_periods(Space{.lengths = {1.0, infinity, 1.0}}, radius));
+  BOOST_CHECK_NO_THROW(validate_periods(Space{.lengths = {1.0, 1.0, 1.0}}, Eigen::VectorXd()));
+  CHECK_REFUSED(validate_periods(Space{.lengths = {1.0, 0.999, infinity}}, radius),
+                "space: its length in direction y must be at least two diameters of the largest body, 1 m with "
+                "particle 1, got 0.999 m: lengthen it, or take smaller bodies");
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
 BOOST_AUTO_TEST_SUITE(height_above_)
 
 // ((1, 2, 3) - (0, 0, 1)).(0.6, 0, 0.8) = 0.6 + 1.6.
@@ -86,14 +151,23 @@ BOOST_AUTO_TEST_CASE(names_the_wall_what_must_hold_and_what_was_given) {
   refuses({.point = {0.0, 0.0, infinity}}, "got (0, 0, inf) m");
 }
 
-BOOST_AUTO_TEST_CASE(refuses_a_space_that_repeats_itself) {
+BOOST_AUTO_TEST_CASE(names_a_length_that_is_none) {
   constexpr double infinite = infinity;
   const auto refuses = [](const Eigen::Vector3d& lengths, const char* words) {
     CHECK_REFUSED(validate(Space{.lengths = lengths}), words);
   };
-  refuses({2.0, infinite, infinite}, "space: its length in direction x must be infinite, got 2 m");
-  refuses({infinite, -infinite, infinite}, "space: its length in direction y must be infinite, got -inf m");
-  refuses({infinite, infinite, not_a_number}, "space: its length in direction z must be infinite, got nan m");
+  refuses({0.0, infinite, infinite}, "space: its length in direction x must be positive, got 0 m; leave it out");
+  refuses({infinite, -2.0, infinite}, "space: its length in direction y must be positive, got -2 m");
+  refuses({1.0, infinite, not_a_number}, "space: its length in direction z must be positive, got nan m");
+}
+
+BOOST_AUTO_TEST_CASE(refuses_a_wall_across_a_period) {
+  const Wall floor{}, tilted{.normal = {0.6, 0.0, 0.8}};
+  BOOST_CHECK_NO_THROW(validate(Space{.walls = {floor, floor}, .lengths = {1.0, 2.0, infinity}}));
+  BOOST_CHECK_NO_THROW(validate(Space{.walls = {tilted}, .lengths = {infinity, 2.0, infinity}}));
+  CHECK_REFUSED(validate(Space{.walls = {floor, tilted}, .lengths = {1.0, 2.0, infinity}}),
+                "wall 1: its normal must have no component in direction x, in which space repeats itself after 1 m, "
+                "got (0.6, 0, 0.8); turn the wall, or leave that length out");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

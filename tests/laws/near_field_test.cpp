@@ -5,6 +5,7 @@
 #include <numbers>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <particulate/kinematics/momentum.hpp>
@@ -593,6 +594,147 @@ BOOST_AUTO_TEST_CASE(is_nothing_for_one_particle_and_for_none) {
 
 BOOST_AUTO_TEST_CASE(is_no_finite_number_where_particles_coincide) {
   BOOST_TEST(!std::isfinite(potential_energy(monograph, Space{}, pair_at(0.0).places())));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(cutoff)
+
+// Chapter 7's: alpha = (0.5, 0.25), beta = (1, 2), tapered from 0.6 to 1.
+const NearField tapered{
+    .alpha1 = 0.5, .alpha2 = 0.25, .beta1 = 1.0, .beta2 = 2.0, .scaling = Scaling::pair, .cutoff = 1.0, .taper = 0.4};
+
+NearField ending(double cutoff, double taper, double beta1 = 1.0, double beta2 = 2.0) {
+  return {.alpha1 = 0.5, .alpha2 = 0.25, .beta1 = beta1, .beta2 = beta2, .cutoff = cutoff, .taper = taper};
+}
+
+// Space, with its type unknown to the near field: all pairs, by hand.
+struct Hidden {
+  Space space;
+};
+Eigen::Vector3d separation(const Hidden& hidden, const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+  return separation(hidden.space, from, to);
+}
+
+BOOST_AUTO_TEST_CASE(must_be_positive_and_the_taper_within_it) {
+  BOOST_CHECK_NO_THROW(validate(ending(1.0, 0.0)));
+  BOOST_CHECK_NO_THROW(validate(ending(1.0, 1.0)));
+  CHECK_REFUSED(validate(ending(0.0, 0.0)), "near field: cutoff must be positive, got 0 m; leave it out");
+  CHECK_REFUSED(validate(ending(not_a_number, 0.0)), "near field: cutoff must be positive, got nan m");
+  for (const double bad : {-0.1, 1.1, not_a_number}) {
+    CHECK_REFUSED(validate(ending(1.0, bad)), "near field: taper must lie between 0 and the cutoff");
+  }
+  CHECK_REFUSED(validate(ending(infinity, 0.1)), "needs a finite one, got 0.1 m with cutoff inf m");
+}
+
+BOOST_AUTO_TEST_CASE(must_be_within_half_the_shortest_period) {
+  const Space box{.lengths = {2.0, infinity, 1.0}};
+  BOOST_CHECK_NO_THROW(validate(ending(0.5, 0.0), box));
+  BOOST_CHECK_NO_THROW(validate(NearField{}, Space{}));
+  CHECK_REFUSED(validate(ending(0.51, 0.0), box),
+                "half the shortest period, 0.5 m, as each pair meets in its nearest "
+                "image alone; it reaches 0.51 m: set cutoff");
+  CHECK_REFUSED(validate(NearField{}, box), "it reaches inf m");
+}
+
+// u = 1/4 at 0.7: 1 - (3 - 1/2)/16; 1/2 in the middle.
+BOOST_AUTO_TEST_CASE(tapers_from_one_to_zero) {
+  BOOST_TEST(tapering(tapered, 0.6) == 1.0);
+  BOOST_TEST(tapering(tapered, 0.7) == 0.84375, tolerance(1e-14));
+  BOOST_TEST(tapering(tapered, 0.8) == 0.5, tolerance(1e-14));
+  BOOST_TEST(tapering(tapered, 1.0) == 0.0);
+  BOOST_TEST(tapering(ending(1.0, 0.0), 0.999) == 1.0);
+  BOOST_TEST(tapering(ending(1.0, 0.0), 1.0) == 0.0);
+  BOOST_TEST(tapering(NearField{}, 1e300) == 1.0);
+  BOOST_TEST(reach(tapered) == 1.0);
+  BOOST_TEST(std::isinf(reach(NearField{})));
+}
+
+// By quadrature in many digits.
+BOOST_AUTO_TEST_CASE(has_the_potential_of_the_tapered_force) {
+  const CentralForce pair = pair_law(tapered, 1.0, 1.0);
+  BOOST_TEST(potential(tapered, pair, 0.5) == -0.0483486289836249, tolerance(1e-13));
+  BOOST_TEST(potential(tapered, pair, 0.05) == 3.30035882451935, tolerance(1e-13));
+  BOOST_TEST(potential(tapered, pair, 1.0) == 0.0);
+  BOOST_TEST(potential(tapered, pair, 7.0) == 0.0);
+  // Cut off at once: alpha1 ln d + alpha2 (1/d - 1).
+  BOOST_TEST(potential(ending(1.0, 0.0), pair, 0.5) == 0.5 * std::log(0.5) + 0.25, tolerance(1e-14));
+}
+
+BOOST_AUTO_TEST_CASE(has_a_potential_whose_slope_is_the_force) {
+  for (const auto& [beta1, beta2] : {std::pair{1.0, 2.0}, {7.0, 13.0}, {0.3, 1.7}}) {
+    for (const double taper : {0.4, 1.0}) {
+      const NearField law = ending(1.0, taper, beta1, beta2);
+      const CentralForce pair = pair_law(law, 1.0, 1.0);
+      for (const double d : {0.3, 0.55, 0.65, 0.8, 0.99}) {
+        const double h = 1e-5;
+        const double slope = (potential(law, pair, d + h) - potential(law, pair, d - h)) / (2.0 * h);
+        const double C = tapering(law, d) * strength(pair, d);
+        const double scale = 0.5 * std::pow(d, -beta1) + 0.25 * std::pow(d, -beta2);
+        BOOST_TEST(std::abs(slope - C) <= 1e-6 * scale);
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(adds_the_forces_of_pairs_within_it) {
+  for (const Kernel kernel : kernels()) {
+    for (const auto& [beta1, beta2] : {std::pair{1.0, 2.0}, {2.0, 3.0}, {7.0, 13.0}, {0.3, 1.7}}) {
+      for (const Eigen::Index N : {1, 2, 9, 60, 400}) {
+        for (const Space& space : {Space{}, Space{.lengths = {1.0, infinity, 0.9}}}) {
+          for (const double cutoff : {0.2, 0.45}) {
+            NearField law = ending(cutoff, cutoff == 0.2 ? 0.0 : 0.2, beta1, beta2);
+            law.kernel = kernel;
+            const Cloud cloud = cloud_of(N);
+            const Added found = forces(law, space, cloud), by_hand = forces(law, Hidden{space}, cloud);
+            BOOST_TEST(found.has_value);
+            BOOST_TEST(close(found.force, by_hand.force, {1e-12, 1e-14 * by_hand.force.cwiseAbs().maxCoeff()}));
+            BOOST_TEST(
+                potential_energy(law, space, cloud.places()) == potential_energy(law, Hidden{space}, cloud.places()),
+                tolerance(1e-12));
+          }
+        }
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(has_the_same_bits_whatever_the_neighbours_remember) {
+  const Space box{.lengths = {1.0, 1.0, 1.0}};
+  for (const Kernel kernel : kernels()) {
+    NearField law = ending(0.15, 0.05);
+    law.kernel = kernel;
+    Cloud moving = cloud_of(500);
+    Uniform uniform;
+    const Vectors velocity = 0.01 * Vectors::NullaryExpr(500, 3, [&] { return uniform(); });
+    int other_bits = 0;
+    for (int k = 0; k < 20; ++k) {
+      moving.position += velocity;
+      Cloud fresh = moving;
+      fresh.scratch = {};
+      if (k % 3 == 0) {
+        // Another law asks for more.
+        fresh.scratch.neighbours.candidates(box, fresh.position, Eigen::VectorXd::Constant(500, 0.11));
+      }
+      other_bits += forces(law, box, moving).force != forces(law, box, fresh).force ? 1 : 0;
+    }
+    BOOST_TEST(other_bits == 0);
+    BOOST_TEST(moving.scratch.neighbours.searches() < 10);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(leaves_out_what_is_beyond_and_has_no_value_where_particles_within_it_coincide) {
+  BOOST_TEST(forces(ending(1.0, 0.5), Space{}, pair_at(1.0)).force.isZero(0.0));
+  BOOST_TEST(forces(ending(1.0, 0.5), Space{}, pair_at(1e200)).has_value);
+  BOOST_TEST(!forces(ending(1.0, 0.5), Space{}, pair_at(0.0)).has_value);
+  Cloud many = cloud_of(100);
+  many.position.row(70) = many.position.row(20);
+  BOOST_TEST(!forces(ending(0.2, 0.1), Space{}, many).has_value);
+  BOOST_TEST(contains(why_no_force(ending(0.2, 0.1), Space{}, many.places()), "particles 20 and 70"));
+  many.inverse_mass[20] = many.inverse_mass[70] = 0.0;
+  BOOST_TEST(forces(ending(0.2, 0.1), Space{}, many).has_value);
+  many.position(33, 0) = not_a_number;
+  BOOST_TEST(!forces(ending(0.2, 0.1), Space{}, many).has_value);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

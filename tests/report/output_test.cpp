@@ -101,6 +101,20 @@ BOOST_AUTO_TEST_CASE(leaves_what_is_there_where_it_cannot_write) {
   BOOST_CHECK_NO_THROW(require_finished(folder.path()));
 }
 
+BOOST_AUTO_TEST_CASE(writes_files_for_other_programs_and_takes_them_down_again) {
+  const ScratchFolder folder;
+  {
+    const Output output(folder.path());
+    output.write_file("cloud.xyz", "0\n\n");
+    output.finish(make_stamp("ch99", 1, "avx2"));
+  }
+  BOOST_TEST((sorted(folder) == Names{"cloud.xyz", "stamp.json"}));
+  const Output next(folder.path());
+  BOOST_TEST((sorted(folder) == Names{"unfinished.txt"}));
+  BOOST_CHECK_EXCEPTION(next.write_file("../cloud.xyz", ""), std::invalid_argument,
+                        says("a file's name must be lower-case letters, digits and underscores, with .xyz or .vtp"));
+}
+
 BOOST_AUTO_TEST_CASE(refuses_a_name_that_leads_elsewhere) {
   const ScratchFolder folder;
   const Output output(folder.path());

@@ -1,9 +1,11 @@
 #include <particulate/scenes/scene.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include <particulate/contact/contact.hpp>
+#include <particulate/contact/located_contact.hpp>
 #include <particulate/kinematics/similarity.hpp>
 #include <particulate/laws/gravity.hpp>
 #include <particulate/laws/near_field.hpp>
@@ -13,6 +15,7 @@
 #include <particulate/schemes/verlet.hpp>
 
 #include "close.hpp"
+#include "clouds.hpp"
 #include "problems.hpp"
 
 namespace tests::scene_test {
@@ -353,6 +356,74 @@ BOOST_AUTO_TEST_CASE(domain_is_checked) {
   const Space crooked{{Wall{.normal = {0.0, 0.0, 2.0}}}};
   CHECK_REFUSED(Scene(ball(1.0, {0.0, 0.0, 0.0}), crooked, Gravity{}),
                 "wall 0: its normal must be a unit vector, got (0, 0, 2) of length 2");
+}
+
+BOOST_AUTO_TEST_CASE(periods_hold_two_diameters_and_the_reach_of_every_law_twice) {
+  const Space narrow{.lengths = {infinity, 1.9, infinity}}, wide{.lengths = {infinity, 4.0, infinity}};
+  CHECK_REFUSED(Scene(two_particles(), narrow, Contact<>{}),
+                "space: its length in direction y must be at least two diameters of the largest body, 2 m");
+  CHECK_REFUSED(Scene(two_particles(), wide, monograph), "must reach no farther than half the shortest period, 2 m");
+  NearField near = monograph;
+  near.cutoff = 2.0;
+  BOOST_CHECK_NO_THROW(Scene(two_particles(), wide, near));
+}
+
+// Across two faces: (0.2, 0, 0.3) apart.
+BOOST_AUTO_TEST_CASE(spacing_is_that_of_the_nearest_images) {
+  Particles pair = two_particles();
+  pair.radius.setConstant(0.1);
+  pair.position << 0.1, 5.0, 0.1, 9.9, 5.0, 9.8;
+  const Space box{.lengths = {10.0, 10.0, 10.0}};
+  const Scene two(pair, box, Contact<>{});
+  BOOST_TEST(two.spacing(start(two).r) == std::sqrt(0.13), tolerance(1e-13));
+  // Of many, one pair of which is nearest across a face.
+  Particles many = random_cloud(300, {10.0, 10.0, 10.0}, 0.01, 0.01);
+  many.position.row(17) << 0.001, 5.0, 5.0;
+  many.position.row(211) << 9.999, 5.0, 5.001;
+  const Scene cloud(many, box, Contact<>{}), open(many, Space{}, Contact<>{});
+  BOOST_TEST(cloud.spacing(start(cloud).r) == std::sqrt(5e-6), tolerance(1e-9));
+  double nearest = infinity;
+  for (Eigen::Index i = 0; i < 300; ++i) {
+    for (Eigen::Index j = 0; j < i; ++j) {
+      nearest = std::min(nearest, (many.position.row(i) - many.position.row(j)).norm());
+    }
+  }
+  BOOST_TEST(open.spacing(start(open).r) == nearest, tolerance(1e-14));
+}
+
+BOOST_AUTO_TEST_CASE(periods_let_bodies_meet_across_a_corner) {
+  Particles pair = two_particles();
+  pair.position << 0.5, 0.5, 0.5, 9.5, 9.5, 9.5;
+  pair.velocity << -1.0, -1.0, -1.0, 0.0, 0.0, 0.0;
+  const Scene scene(pair, Space{.lengths = {10.0, 10.0, 10.0}}, LocatedContact<>{});
+  State state = start(scene);
+  VelocityVerlet scheme;
+  FixedStep control{.step = 0.1};
+  const Outcome outcome = integrate(scene, state, 2.0, scheme, control);
+  BOOST_TEST(outcome.impacts == 1);
+  BOOST_TEST(close(velocities(state).transpose() * pair.mass, Eigen::Vector3d(-2.0, -2.0, -2.0), {1e-14, 0.0}));
+  // A gap of sqrt(3) - 1 closes at sqrt(3); then 2.4/5 of the speed stays with the second, of mass 3.
+  BOOST_TEST(velocity(state, 1).x() == -0.8, tolerance(1e-12));
+}
+
+// Half of a run in a copy, whose neighbours begin anew.
+BOOST_AUTO_TEST_CASE(continued_by_a_copy_has_the_same_bits) {
+  const Particles cloud = random_cloud(300, {1.0, 1.0, 1.0}, 0.02, 0.04);
+  NearField near = monograph;
+  near.cutoff = 0.2, near.taper = 0.1, near.alpha1 = near.alpha2 = 1e-6;
+  const Scene scene(cloud, Space{.walls = {Wall{}}, .lengths = {1.0, 1.0, infinity}}, near,
+                    Contact<>{.restitution = {0.9}});
+  const auto run = [](const auto& whose, State& state, double t_end) {
+    VelocityVerlet scheme;
+    FixedStep control{.step = 1e-3};
+    return integrate(whose, state, t_end, scheme, control).impacts;
+  };
+  State state = start(scene);
+  BOOST_TEST(run(scene, state, 0.05) > 10);
+  State other = state;
+  const auto copy = scene;
+  BOOST_TEST(run(scene, state, 0.1) == run(copy, other, 0.1));
+  BOOST_TEST((state.r == other.r && state.v == other.v));
 }
 
 BOOST_AUTO_TEST_CASE(domain_is_not_felt_by_near_fields) {

@@ -490,6 +490,37 @@ BOOST_AUTO_TEST_CASE(lets_the_state_jump_after_a_step_and_tells_the_scheme) {
   BOOST_TEST(state.v[0] == 0.0);
 }
 
+// The same stone, seen from both sides of every jump: sixteen, of which two change anything.
+BOOST_AUTO_TEST_CASE(tells_an_observer_each_jump_with_the_state_after_it) {
+  struct Both {
+    std::vector<double> before = {}, after = {};
+    long impacts = 0;
+    bool operator()(const State&, const State& to, double, const VelocityVerlet&) {
+      before.push_back(to.v[0]);
+      return true;
+    }
+    void jumped(const State& at, const Jump& jump) {
+      BOOST_TEST(before.size() == after.size() + 1);
+      after.push_back(at.v[0]);
+      impacts += jump.impacts;
+    }
+  } both;
+  static_assert(SeesJumps<Both>);
+  State state = displaced();
+  (void)run(Bouncing{}, state, 4.0, VelocityVerlet(), FixedStep{.step = 0.25}, both);
+  BOOST_TEST(both.after.size() == 16);
+  BOOST_TEST(both.before[3] == -2.0);
+  BOOST_TEST(both.after[3] == 2.0);
+  BOOST_TEST(both.after[2] == both.before[2]);
+  BOOST_TEST(both.impacts == 2);
+  both.after.clear();
+  both.before.clear();
+  state = displaced();
+  (void)run(Spring{}, state, 1.0, VelocityVerlet(), FixedStep{.step = 0.25}, both);
+  BOOST_TEST(both.before.size() == 4);
+  BOOST_TEST(both.after.empty());  // what does not jump tells nothing
+}
+
 // The floor lies at 0.75 and takes half of the speed: steps of 0.25 end at v = -0.5, -1, -1.5, ... and r = 1 - t^2. At
 // t = 0.5 the stone just touches it at -1 and leaves with 0.5: at r = 0.8125, v = 0, then at 0.75 with -0.5, which
 // makes 0.25: at 0.75 with -0.25 and 0.125: 0.71875, -0.375, 0.03125 below.

@@ -26,6 +26,63 @@ BOOST_AUTO_TEST_CASE(tells_every_status_and_every_failure_from_the_others) {
 
 BOOST_AUTO_TEST_SUITE_END()
 
+BOOST_AUTO_TEST_SUITE(sum_)
+
+BOOST_AUTO_TEST_CASE(adds_counts_and_keeps_what_is_largest) {
+  Outcome run;
+  run += Outcome{.overlap_at_start = 0.5};  // no step: the next leg starts there
+  run += Outcome{.t = 1.0,
+                 .steps = 3,
+                 .rejections = 1,
+                 .sweeps = 9,
+                 .evaluations = 12,
+                 .impacts = 2,
+                 .contraction = 0.5,
+                 .overlap = 0.25,
+                 .overlap_at_start = 0.125,
+                 .travel = 2.0,
+                 .energy_change = -1.0,
+                 .jumps_by_law = {{.impacts = 2, .energy_change = -1.0}},
+                 .ruled = "spring"};
+  run += Outcome{.status = Status::failed,
+                 .reason = "why",
+                 .failure = Failure::slow,
+                 .workable_step = 0.5,
+                 .t = 2.0,
+                 .steps = 4,
+                 .rejections = 2,
+                 .sweeps = 10,
+                 .evaluations = 20,
+                 .impacts = 3,
+                 .contraction = 0.25,
+                 .overlap = 0.5,
+                 .overlap_at_start = 0.75,
+                 .travel = 1.0,
+                 .energy_change = -0.5,
+                 .jumps_by_law = {{.impacts = 3, .energy_change = -0.5}, {.impacts = 1, .energy_change = 2.0}}};
+  BOOST_TEST((run.status == Status::failed && run.failure == Failure::slow));
+  BOOST_TEST(run.reason == "why");
+  BOOST_TEST(run.workable_step == 0.5);
+  BOOST_TEST(run.t == 2.0);
+  BOOST_TEST(run.steps == 7);
+  BOOST_TEST(run.rejections == 3);
+  BOOST_TEST(run.sweeps == 19);
+  BOOST_TEST(run.evaluations == 32);
+  BOOST_TEST(run.impacts == 5);
+  BOOST_TEST(run.contraction == 0.5);
+  BOOST_TEST(run.overlap == 0.5);
+  BOOST_TEST(run.overlap_at_start == 0.125);
+  BOOST_TEST(run.travel == 2.0);
+  BOOST_TEST(run.energy_change == -1.5);
+  BOOST_TEST_REQUIRE(run.jumps_by_law.size() == 2U);
+  BOOST_TEST(run.jumps_by_law[0].impacts == 5);
+  BOOST_TEST(run.jumps_by_law[0].energy_change == -1.5);
+  BOOST_TEST(run.jumps_by_law[1].impacts == 1);
+  BOOST_TEST(run.ruled == "spring");
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
 BOOST_AUTO_TEST_SUITE(describe_)
 
 BOOST_AUTO_TEST_CASE(leaves_out_what_is_zero_or_unknown) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -119,6 +120,22 @@ BOOST_AUTO_TEST_CASE(hands_every_step_on_to_an_observer_of_the_user) {
       {0.1, 0.6, 0.9}, [&](const State&) { order += 's'; }, observe);
   BOOST_TEST((run(Spring{}, state, 2.0, RungeKutta4(), FixedStep{.step = 0.25}, samples).status == Status::stopped));
   BOOST_TEST(order == "sooso");
+}
+
+// The observer in std::ref() is the user's own, not a copy.
+BOOST_AUTO_TEST_CASE(tells_the_observer_of_the_user_the_jumps) {
+  struct Counting {
+    long steps = 0, impacts = 0;
+    bool operator()(const State&, const State&, double, const VelocityVerlet&) { return ++steps > 0; }
+    void jumped(const State&, const Jump& jump) { impacts += jump.impacts; }
+  } counting;
+  const auto ignore = [](const State&) {};
+  Sampling samples({0.5}, ignore, std::ref(counting));
+  State state = displaced();
+  (void)run(Bouncing{}, state, 2.0, VelocityVerlet(), FixedStep{.step = 0.25}, samples);
+  BOOST_TEST(counting.steps == 8);
+  BOOST_TEST(counting.impacts == 1);
+  static_assert(!SeesJumps<decltype(Sampling({0.5}, ignore))>);
 }
 
 BOOST_AUTO_TEST_CASE(refuses_times_out_of_order_and_before_the_run) {

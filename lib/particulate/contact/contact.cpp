@@ -34,8 +34,44 @@ double ClosedGap::between(const kinematics::VectorsIn& position, const Eigen::Ve
   return relative * reach + roundings * std::numeric_limits<double>::epsilon() * size;
 }
 
-template Touching find_touching<kinematics::Space>(const kinematics::Space&, const laws::At<laws::Velocity>&,
-                                                   const ClosedGap&);
+Eigen::VectorXd ClosedGap::shares(const kinematics::VectorsIn& position, const Eigen::VectorXd& radius) const {
+  return relative * radius + roundings * std::numeric_limits<double>::epsilon() * position.rowwise().norm();
+}
+
+namespace {
+
+// Of candidates, the pairs that are near enough to touch, whatever rounding or the range of a double makes of their
+// squares: most are not, and need not be looked at closely. In space without periods none is asked for its image.
+template <bool has_periods>
+Touching find_among(const laws::Candidates& candidates, const kinematics::Space& domain,
+                    const laws::At<laws::Velocity>& at, const ClosedGap& tolerance, const Eigen::VectorXd& size) {
+  const double *const x = at.position.data(), *const y = x + candidates.N, *const z = y + candidates.N;
+  const auto apart = [&](const double* r, Eigen::Index i, Eigen::Index j, Eigen::Index axis) {
+    const double d = r[j] - r[i];
+    return has_periods ? kinematics::nearest_image(d, domain.lengths[axis]) : d;
+  };
+  return detail::find_touching(domain, at, tolerance, [&](Eigen::Index i, auto&& visit) {
+    candidates.behind(i, [&](Eigen::Index j) {
+      const double dx = apart(x, i, j, 0), dy = apart(y, i, j, 1), dz = apart(z, i, j, 2), reach = size[i] + size[j];
+      if (dx * dx + dy * dy + dz * dz > (1.0 + 1e-12) * reach * reach + 1e-300) return;
+      visit(j);
+    });
+  });
+}
+
+}  // namespace
+
+Touching find_touching(const kinematics::Space& domain, const laws::At<laws::Velocity>& at,
+                       const ClosedGap& tolerance) {
+  const auto among = [&](const Eigen::VectorXd& size) {
+    const laws::Candidates near = at.scratch.neighbours.candidates(domain, at.position, size);
+    return kinematics::has_periods(domain) ? find_among<true>(near, domain, at, tolerance, size)
+                                           : find_among<false>(near, domain, at, tolerance, size);
+  };
+  if (tolerance.is_none()) return among(at.radius);
+  const Eigen::VectorXd size = at.radius + tolerance.shares(at.position, at.radius);
+  return among(size);
+}
 
 double travel(const laws::At<laws::Velocity>& at, std::span<const kinematics::Wall> walls, double dt) {
   const Eigen::Index N = at.mass.size();

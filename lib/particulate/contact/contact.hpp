@@ -109,6 +109,14 @@ struct ClosedGap {
   double relative = 0.0;   ///< tau [-]
   double roundings = 0.0;  ///< n, roundings of the places [-]
 
+  /// @return whether a gap must be closed to the last bit
+  bool is_none() const { return relative == 0.0 && roundings == 0.0; }
+
+  /// @param position  r_i, N x 3 [m]
+  /// @param radius    b_i, N [m]
+  /// @return share of each particle in the gaps at it: two together are between() [m]
+  Eigen::VectorXd shares(const kinematics::VectorsIn& position, const Eigen::VectorXd& radius) const;
+
   /// @param position  r_i, N x 3 [m]
   /// @param radius    b_i, N [m]
   /// @param i         one particle
@@ -118,38 +126,34 @@ struct ClosedGap {
                  Eigen::Index j) const;
 };
 
-/// Finds the spheres that touch each other or a wall, among all pairs. Two bodies of which neither can move do not
-/// count, nor do two points, which have no surface. Compiled once for Space; a domain of one's own gets code of its
-/// own.
-///
-/// @param domain     forms the separations, and has the walls if there are any
-/// @param at         the particles
-/// @param tolerance  how wide a gap counts as closed
-/// @return contacts without their accelerations
-template <kinematics::Domain D>
-Touching find_touching(const D& domain, const laws::At<laws::Velocity>& at, const ClosedGap& tolerance = {}) {
+namespace detail {
+
+// The spheres that touch each other or a wall, among all pairs {i, j > i} that behind(i, visit) visits with j.
+template <kinematics::Domain D, class Behind>
+Touching find_touching(const D& domain, const laws::At<laws::Velocity>& at, const ClosedGap& tolerance,
+                       const Behind& behind) {
   Touching found;
   const auto add = [&](Eigen::Index i, Eigen::Index j, double depth, const Eigen::Vector3d& n) {
     found.directed = found.directed && n.allFinite();
     found.overlap = std::max(found.overlap, depth);
     found.contacts.push_back({.i = i, .j = j, .n = n, .overlap = depth});
   };
-  const bool exact = tolerance.relative == 0.0 && tolerance.roundings == 0.0;
+  const bool exact = tolerance.is_none();
   const auto closed = [&](double gap, Eigen::Index i, Eigen::Index j) {
     return gap <= 0.0 || (!exact && gap <= tolerance.between(at.position, at.radius, i, j));
   };
   for (Eigen::Index i = 0; i < at.mass.size(); ++i) {
     const bool moves = at.inverse_mass[i] > 0.0;
     const Eigen::Vector3d here = at.position.row(i);
-    for (Eigen::Index j = i + 1; j < at.mass.size(); ++j) {
-      if (!moves && !(at.inverse_mass[j] > 0.0)) continue;
+    behind(i, [&](Eigen::Index j) {
+      if (!moves && !(at.inverse_mass[j] > 0.0)) return;
       const Eigen::Vector3d towards = separation(domain, here, at.position.row(j));
       const double reach = at.radius[i] + at.radius[j];
       // Most pairs are apart, whatever rounding or the range of a double makes of their squares.
-      if (exact && towards.squaredNorm() > (1.0 + 1e-12) * reach * reach + 1e-300) continue;
+      if (exact && towards.squaredNorm() > (1.0 + 1e-12) * reach * reach + 1e-300) return;
       const double d = kinematics::length(towards);
       if (reach > 0.0 && closed(d - reach, i, j)) add(i, j, reach - d, towards / d);
-    }
+    });
     if constexpr (kinematics::HasWalls<D>) {
       if (!moves) continue;
       for (const kinematics::Wall& wall : walls(domain)) {
@@ -160,11 +164,30 @@ Touching find_touching(const D& domain, const laws::At<laws::Velocity>& at, cons
   }
   return found;
 }
-// Doxygen would take the instance for another function.
-/// @cond
-extern template Touching find_touching<kinematics::Space>(const kinematics::Space&, const laws::At<laws::Velocity>&,
-                                                          const ClosedGap&);
-/// @endcond
+
+}  // namespace detail
+
+/// Finds the spheres that touch each other or a wall, among all pairs. Two bodies of which neither can move do not
+/// count, nor do two points, which have no surface.
+///
+/// @param domain     forms the separations, and has the walls if there are any
+/// @param at         the particles
+/// @param tolerance  how wide a gap counts as closed
+/// @return contacts without their accelerations, by their first particle, then their second; of each its walls last
+template <kinematics::Domain D>
+Touching find_touching(const D& domain, const laws::At<laws::Velocity>& at, const ClosedGap& tolerance = {}) {
+  const laws::Candidates all{at.mass.size(), nullptr, nullptr};
+  return detail::find_touching(domain, at, tolerance, [&](Eigen::Index i, auto&& visit) { all.behind(i, visit); });
+}
+
+/// The same in space, among the neighbours of each sphere: the same contacts, at a cost that grows with N.
+///
+/// @param domain     forms the separations, and has the walls
+/// @param at         the particles; their scratch remembers neighbours
+/// @param tolerance  how wide a gap counts as closed
+/// @return contacts without their accelerations, by their first particle, then their second; of each its walls last
+Touching find_touching(const kinematics::Space& domain, const laws::At<laws::Velocity>& at,
+                       const ClosedGap& tolerance = {});
 
 /// The largest move of a body in a step over its radius: relative to the mean velocity of all, which a common motion
 /// does not enter, and along the normals of walls. A point counts with the smallest radius that is none.
@@ -267,11 +290,12 @@ concept Impacts = requires(const L& law, const laws::At<laws::Velocity>& at, Tou
   { resolve_impacts(law, at, touching, force, dt, velocity) } -> std::same_as<schemes::Jump>;
 };
 
-/// A law that locates its impacts: `first_impact(law, domain, radius, inverse_mass, path, end)`.
+/// A law that locates its impacts: `first_impact(law, domain, radius, inverse_mass, neighbours, path, end)`.
 template <class L, class D>
 concept LocatesImpacts = Impacts<L> &&
-    requires(const L& law, const D& domain, const Eigen::VectorXd& x, const schemes::StepPath& path, double end) {
-  { first_impact(law, domain, x, x, path, end) } -> std::same_as<std::optional<double>>;
+    requires(const L& law, const D& domain, const Eigen::VectorXd& x, laws::Neighbours& neighbours,
+             const schemes::StepPath& path, double end) {
+  { first_impact(law, domain, x, x, neighbours, path, end) } -> std::same_as<std::optional<double>>;
 };
 
 /// What counts as touching to a law that resolves impacts: `touching_tolerance(law)`, exact touching by default.

@@ -94,7 +94,7 @@ class Gaps {
   }
 
   // The first place at which one of them closes.
-  std::optional<double> first_closing(const ClosedGap& tolerance) {
+  std::optional<double> first_closing(const ClosedGap& tolerance, laws::Neighbours& neighbours) {
     std::optional<double> first;
     const Rows start = rows(states_[0].r);
     const auto look_at = [&](const Gap& gap) {
@@ -103,11 +103,16 @@ class Gaps {
       const std::optional<double> closes = closing(gap, slack);
       if (closes && !(first && *first <= *closes)) first = closes;
     };
+    laws::Candidates pairs{radius_.size(), nullptr, nullptr};
+    if (domain_.space) {
+      const Eigen::VectorXd size = radius_ + travel_ + tolerance.shares(start, radius_);
+      pairs = neighbours.candidates(*domain_.space, start, size);
+    }
     for (Eigen::Index i = 0; i < radius_.size(); ++i) {
-      for (Eigen::Index j = i + 1; j < radius_.size(); ++j) {
+      pairs.behind(i, [&](Eigen::Index j) {
         const bool points = radius_[i] + radius_[j] == 0.0;
         if (!points && (inverse_mass_[i] > 0.0 || inverse_mass_[j] > 0.0)) look_at({.i = i, .j = j, .wall = nullptr});
-      }
+      });
       if (!(inverse_mass_[i] > 0.0)) continue;
       for (const kinematics::Wall& wall : domain_.planes) look_at({.i = i, .j = -1, .wall = &wall});
     }
@@ -192,8 +197,9 @@ class Gaps {
 }  // namespace
 
 std::optional<double> first_closing(const AnyDomain& domain, const ClosedGap& tolerance, const Eigen::VectorXd& radius,
-                                    const Eigen::VectorXd& inverse_mass, const schemes::StepPath& path, double end) {
-  return Gaps(domain, radius, inverse_mass, path, end).first_closing(tolerance);
+                                    const Eigen::VectorXd& inverse_mass, laws::Neighbours& neighbours,
+                                    const schemes::StepPath& path, double end) {
+  return Gaps(domain, radius, inverse_mass, path, end).first_closing(tolerance, neighbours);
 }
 
 void tell_rest(const Touching& touching, const ClosedGap& gap, const laws::At<laws::Velocity>& at, schemes::In after,

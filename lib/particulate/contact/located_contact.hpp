@@ -1,5 +1,6 @@
 #pragma once
 
+#include <concepts>
 #include <functional>
 #include <optional>
 #include <span>
@@ -16,12 +17,12 @@ namespace particulate::contact {
 /// once: no body enters another, and the motion between impacts keeps the order of its scheme. The other forces do
 /// nothing during an impact, as it takes no time: the limit \f$ \gamma \to 0 \f$ of Contact.
 ///
-/// @equation{R 2.2} The gaps of all pairs that could meet within the step are followed on its dense output, which costs
-/// some N^2 tests a step, and every impact costs a step or two: right for up to some hundred bodies, and needed where
-/// near fields bend their paths between impacts; without forces an event-driven gas does the same faster. Contacts that
-/// close together within the touching tolerance are resolved together, so that a symmetric hit stays symmetric. Bodies
-/// that touch or overlap at the start and part are left alone; if they approach, and wherever touching bodies come
-/// closer by more than the tolerance, they meet at once.
+/// @equation{R 2.2} The gaps of all pairs that could meet within the step are followed on its dense output, in a domain
+/// of one's own at the cost of some N^2 tests a step. Every impact costs a step or two of all bodies: right for up to
+/// some thousand, and needed where near fields bend their paths between impacts; without forces an event-driven gas
+/// does the same faster. Contacts that close together within the touching tolerance are resolved together, so that a
+/// symmetric hit stays symmetric. Bodies that touch or overlap at the start and part are left alone; if they approach,
+/// and wherever touching bodies come closer by more than the tolerance, they meet at once.
 ///
 /// Bodies that come to rest on each other meet infinitely often in a finite time. Where after an impact the other
 /// forces press a pair together again before it has parted by a hundred times the touching tolerance, the run ends with
@@ -79,6 +80,7 @@ namespace detail {
 // A domain with its type erased, as the search for gaps that close asks it.
 struct AnyDomain {
   const void* self;
+  const kinematics::Space* space;  // itself, if it is one
   Eigen::Vector3d (*between)(const void*, const Eigen::Vector3d& from, const Eigen::Vector3d& to);
   std::span<const kinematics::Wall> planes;
 };
@@ -86,17 +88,20 @@ struct AnyDomain {
 template <kinematics::Domain D>
 AnyDomain erased(const D& domain) {
   AnyDomain any{&domain,
+                nullptr,
                 [](const void* self, const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
                   return separation(*static_cast<const D*>(self), from, to);
                 },
                 {}};
   if constexpr (kinematics::HasWalls<D>) any.planes = walls(domain);
+  if constexpr (std::same_as<D, kinematics::Space>) any.space = &domain;
   return any;
 }
 
 // The first place at which a gap closes.
 std::optional<double> first_closing(const AnyDomain& domain, const ClosedGap& tolerance, const Eigen::VectorXd& radius,
-                                    const Eigen::VectorXd& inverse_mass, const schemes::StepPath& path, double end);
+                                    const Eigen::VectorXd& inverse_mass, laws::Neighbours& neighbours,
+                                    const schemes::StepPath& path, double end);
 
 // Books in a jump that two bodies have come to rest on each other, if any have; to_come gives speeds_to_come().
 void tell_rest(const Touching& touching, const ClosedGap& gap, const laws::At<laws::Velocity>& at, schemes::In after,
@@ -110,14 +115,17 @@ void tell_rest(const Touching& touching, const ClosedGap& gap, const laws::At<la
 /// @param domain        forms the separations, and has the walls if there are any
 /// @param radius        b_i, N [m]
 /// @param inverse_mass  1/m_i, 0 for what is immovable, N [1/kg]
+/// @param neighbours    the scene's, asked in space for the pairs that could meet
 /// @param path          the step
 /// @param end           how far to look [-]
 /// @return its place, in (0, end]; none if no gap closes. A near miss is given as well where dense output, taken to be
 ///         off by 1e-4 of the radii in the middle of the step, cannot tell it from a touch
 template <class R, class F, kinematics::Domain D>
 std::optional<double> first_impact(const LocatedContact<R, F>& law, const D& domain, const Eigen::VectorXd& radius,
-                                   const Eigen::VectorXd& inverse_mass, const schemes::StepPath& path, double end) {
-  return detail::first_closing(detail::erased(domain), touching_tolerance(law), radius, inverse_mass, path, end);
+                                   const Eigen::VectorXd& inverse_mass, laws::Neighbours& neighbours,
+                                   const schemes::StepPath& path, double end) {
+  return detail::first_closing(detail::erased(domain), touching_tolerance(law), radius, inverse_mass, neighbours, path,
+                               end);
 }
 
 /// Resolves the contacts of a moment: the jump of a scene with this law.

@@ -7,6 +7,7 @@
 
 #include <particulate/kinematics/domain.hpp>
 #include <particulate/kinematics/particles.hpp>
+#include <particulate/laws/neighbours.hpp>
 #include <particulate/schemes/problem.hpp>
 
 /// @file
@@ -22,6 +23,10 @@ class Scratch {
   Scratch() = default;
   Scratch(const Scratch&) {}                            ///< Begins empty.
   Scratch& operator=(const Scratch&) { return *this; }  ///< Keeps its own. @return this
+
+  Neighbours neighbours;   ///< of the bodies of the scene, for all its laws
+  Eigen::VectorXd others;  ///< forces of the other laws on bodies that meet, 3 N [N]
+  Eigen::VectorXd after;   ///< velocities after they have met, 3 N [m/s]
 
   static constexpr std::size_t line = 8;  ///< numbers of a cache line [-]
 
@@ -135,6 +140,12 @@ concept SaysWhy = requires(const L& law, const D& domain, const At<>& at) {
 template <class L>
 concept Validated = requires(const L& law) {
   validate(law);
+};
+
+/// A law that can be checked against the domain it enters: `validate(law, domain)` throws std::invalid_argument.
+template <class L, class D>
+concept ValidatedIn = requires(const L& law, const D& domain) {
+  validate(law, domain);
 };
 
 }  // namespace particulate::laws

@@ -27,19 +27,24 @@ bool processor_has(Kernel kernel) {
   return kernel == Kernel::baseline;
 }
 
-// Null where this build has no such code.
-detail::AddPairs built(Kernel kernel) {
+// Code of a kernel; null where this build has none.
+struct Built {
+  detail::AddPairs all = nullptr;
+  detail::AddPairsWithin within = nullptr;
+};
+
+Built built(Kernel kernel) {
   switch (kernel) {
     case Kernel::best:
       break;
     case Kernel::baseline:
-      return detail::add_pairs_baseline;
+      return {detail::add_pairs_baseline, detail::add_pairs_within_baseline};
     case Kernel::avx2:
-      return detail::add_pairs_avx2;
+      return {detail::add_pairs_avx2, detail::add_pairs_within_avx2};
     case Kernel::avx512:
-      return detail::add_pairs_avx512;
+      return {detail::add_pairs_avx512, detail::add_pairs_within_avx512};
   }
-  return nullptr;
+  return {};
 }
 
 std::string refusal(Kernel kernel) {
@@ -87,6 +92,12 @@ bool add_component(const double* action, const double* reaction, Eigen::Index N,
   return zero == 0.0;
 }
 
+bool add_components(const detail::Columns& c, Eigen::Index N, Forces force) {
+  double* const f = force.data();
+  return add_component(c.action_x, c.reaction_x, N, f) && add_component(c.action_y, c.reaction_y, N, f + N) &&
+         add_component(c.action_z, c.reaction_z, N, f + 2 * N);
+}
+
 }  // namespace
 
 std::string_view name(Kernel kernel) {
@@ -103,9 +114,7 @@ std::string_view name(Kernel kernel) {
   return "none";
 }
 
-bool is_available(Kernel kernel) {
-  return kernel == Kernel::best || (built(kernel) != nullptr && processor_has(kernel));
-}
+bool is_available(Kernel kernel) { return kernel == Kernel::best || (built(kernel).all && processor_has(kernel)); }
 
 Kernel best_kernel() {
   if (is_available(Kernel::avx512)) return Kernel::avx512;
@@ -122,7 +131,51 @@ void validate(const NearField& law) {
     throw std::invalid_argument(
         fmt::format("near field: scaling must be mass, area or pair, got number {}", static_cast<int>(law.scaling)));
   }
+  if (!(law.cutoff > 0.0)) {
+    throw std::invalid_argument(fmt::format(
+        "near field: cutoff must be positive, got {} m; leave it out for forces between all pairs", law.cutoff));
+  }
+  if (!(law.taper >= 0.0 && law.taper <= (std::isfinite(law.cutoff) ? law.cutoff : 0.0))) {
+    throw std::invalid_argument(fmt::format(
+        "near field: taper must lie between 0 and the cutoff, and needs a finite one, got {} m with cutoff {} m",
+        law.taper, law.cutoff));
+  }
   if (!is_available(law.kernel)) throw std::invalid_argument(refusal(law.kernel));
+}
+
+void validate(const NearField& law, const kinematics::Space& domain) {
+  const double half = 0.5 * domain.lengths.minCoeff();
+  if (reach(law) <= half) return;
+  throw std::invalid_argument(fmt::format(
+      "near field: where space repeats itself it must reach no farther than half the shortest period, {} m, as each "
+      "pair meets in its nearest image alone; it reaches {} m: set cutoff, and a taper if the force is to end smoothly",
+      half, reach(law)));
+}
+
+double potential(const NearField& law, const kinematics::CentralForce& pair, double d) {
+  if (!std::isfinite(law.cutoff)) return potential(pair, d, law.d_ref);
+  if (d >= law.cutoff) return 0.0;
+  const double full = law.cutoff - law.taper, from = std::max(d, full);
+  // Gauss's rule of eight points in ln d, in which powers are exponentials, panel by panel.
+  constexpr double point[] = {0.1834346424956498, 0.5255324099163290, 0.7966664774136267, 0.9602898564975363};
+  constexpr double weight[] = {0.3626837833783620, 0.3137066458778873, 0.2223810344533745, 0.1012285362903763};
+  const double length = std::log(law.cutoff / from), steepest = std::max(pair.beta1, pair.beta2) + 4.0;
+  const double panels = std::clamp(std::ceil(length * steepest / 3.0), 1.0, 1000.0), half = 0.5 * length / panels;
+  double tapered = 0.0;
+  for (double panel = 0.0; panel < panels; ++panel) {
+    const auto at = [&](double x) {
+      const double there = from * std::exp((2.0 * panel + 1.0 + x) * half);
+      return there * tapering(law, there) * strength(pair, there);
+    };
+    for (int k = 0; k < 4; ++k) tapered += half * weight[k] * (at(point[k]) + at(-point[k]));
+  }
+  return d < full ? potential(pair, d, full) - tapered : -tapered;
+}
+
+Candidates candidates(const NearField& law, const kinematics::Space& domain, const At<>& at) {
+  const Eigen::Index N = at.mass.size();
+  if (!std::isfinite(law.cutoff)) return {N, nullptr, nullptr};
+  return at.scratch.neighbours.candidates(domain, at.position, Eigen::VectorXd::Constant(N, 0.5 * law.cutoff));
 }
 
 kinematics::CentralForce pair_law(const NearField& law, double factor_i, double factor_j) {
@@ -150,7 +203,7 @@ std::string why_no_force(const NearField& law, const At<>& at,
   for (Eigen::Index i = 0; i < at.mass.size(); ++i) {
     for (Eigen::Index j = i + 1; j < at.mass.size(); ++j) {
       const double d = apart(i, j);
-      if (is_full(d * d) || !feels(law, at, factor, i, j)) continue;
+      if (is_full(d * d) || (d >= law.cutoff && std::isfinite(law.cutoff)) || !feels(law, at, factor, i, j)) continue;
       return fmt::format(
           "near field: particles {} and {} must be some 1.5e-154 to 1.3e154 m apart, but are {} m apart: place them "
           "otherwise, or let a contact keep them apart",
@@ -160,12 +213,34 @@ std::string why_no_force(const NearField& law, const At<>& at,
   return {};
 }
 
+namespace {
+
+// Forces of the pairs within reach, by the vectors of a kernel as well.
+bool add_within(const NearField& law, const detail::PairForce& pair, const kinematics::Space& space, const At<>& at,
+                const double* factor, Forces force) {
+  const Eigen::Index N = at.mass.size();
+  if (!at.position.allFinite()) return false;
+  const Candidates near = candidates(law, space, at);
+  const detail::Within within{.first = near.first,
+                              .partner = near.partner,
+                              .cutoff = law.cutoff,
+                              .taper = law.taper,
+                              .lengths = {space.lengths.x(), space.lengths.y(), space.lengths.z()}};
+  const Kernel kernel = N <= detail::few ? Kernel::baseline : law.kernel == Kernel::best ? best_kernel() : law.kernel;
+  const detail::Columns c = filled(at.scratch, at.position.data(), factor, N);
+  if (!built(kernel).within(pair, within, c, N)) return add_force<kinematics::Space>(law, space, at, force);
+  return add_components(c, N, force);
+}
+
+}  // namespace
+
 bool add_force(const NearField& law, const kinematics::Space& space, const At<>& at, Forces force) {
   if (!is_available(law.kernel)) throw std::invalid_argument(refusal(law.kernel));
   const detail::PairForce pair{.alpha1 = law.alpha1, .alpha2 = law.alpha2, .beta1 = law.beta1, .beta2 = law.beta2};
   const Eigen::Index N = at.mass.size();
   const Eigen::VectorXd other = law.scaling == Scaling::mass ? Eigen::VectorXd() : scaling_factors(law, at);
   const double* const factor = law.scaling == Scaling::mass ? at.mass.data() : other.data();  // masses are not copied
+  if (std::isfinite(law.cutoff)) return add_within(law, pair, space, at, factor, force);
   const double* const r = at.position.data();
   double *const f_x = force.data(), *const f_y = f_x + N, *const f_z = f_y + N;
   // Some pair may have no force, which matters only if it feels one.
@@ -178,11 +253,10 @@ bool add_force(const NearField& law, const kinematics::Space& space, const At<>&
     force = before;
     return add_those_that_feel();
   }
-  const detail::AddPairs add_pairs = built(law.kernel == Kernel::best ? best_kernel() : law.kernel);
+  const detail::AddPairs add_pairs = built(law.kernel == Kernel::best ? best_kernel() : law.kernel).all;
   const detail::Columns c = filled(at.scratch, r, factor, N);
   if (!add_pairs(pair, c, N)) return add_those_that_feel();
-  return add_component(c.action_x, c.reaction_x, N, f_x) && add_component(c.action_y, c.reaction_y, N, f_y) &&
-         add_component(c.action_z, c.reaction_z, N, f_z);
+  return add_components(c, N, force);
 }
 
 }  // namespace particulate::laws

@@ -58,13 +58,44 @@ struct NearField {
   double d_ref = 1.0;               ///< distance at which a pair's potential energy is zero, > 0 [m]
   Scaling scaling = Scaling::mass;  ///< what the strengths are counted per; units of the strengths follow it
   Kernel kernel = Kernel::best;     ///< what adds the forces in Space
+  /// d_c, at which the force ends; infinite: nowhere [m]
+  double cutoff = std::numeric_limits<double>::infinity();
+  double taper = 0.0;  ///< w, over which it ends, up to d_c; 0: at once [m]
 };
+
+/// How much is left of the force of a near field that is cut off.
+///
+/// \f[ C \to S(d)\, C, \qquad S = 1 - u^2 (3 - 2u), \quad u = \frac{d - (d_c - w)}{w} \f]
+///
+/// @equation{R 7.3} S is 1 up to \f$ d_c - w \f$ and 0 from \f$ d_c \f$ on; its slope is zero at both.
+/// @param law  the near field
+/// @param d    distance of a pair [m]
+/// @return S [-]
+inline double tapering(const NearField& law, double d) {
+  if (d >= law.cutoff) return 0.0;
+  const double into = d - (law.cutoff - law.taper), u = into > 0.0 ? into / law.taper : 0.0;
+  return 1.0 - u * u * (3.0 - 2.0 * u);
+}
+
+/// How far a near field reaches: from there on it is exactly zero.
+///
+/// @param law  the near field
+/// @return d_c; infinite where it is not cut off [m]
+inline double reach(const NearField& law) { return law.cutoff; }
 
 /// Refuses constants that are no near field, and a kernel that is not there. Called once, where a law enters a scene.
 ///
 /// @param law  the constants
 /// @throws std::invalid_argument naming the constant, what must hold and what was given
 void validate(const NearField& law);
+
+/// Refuses a near field that reaches farther than half the shortest period of space. Called once, where both enter a
+/// scene.
+///
+/// @param law     constants that validate() accepts
+/// @param domain  space
+/// @throws std::invalid_argument saying what must hold, what was given and what to do
+void validate(const NearField& law, const kinematics::Space& domain);
 
 /// The force law between two particles, with their masses or areas in its strengths.
 ///
@@ -74,6 +105,17 @@ void validate(const NearField& law);
 /// @param factor_j  the same of particle j
 /// @return constants of the pair
 kinematics::CentralForce pair_law(const NearField& law, double factor_i, double factor_j);
+
+/// Potential energy of a pair: of the tapered force, so that V' = S C.
+///
+/// \f[ V(d) = -\int_d^{d_c} S(x)\, C(x)\, dx \f]
+///
+/// @equation{D 7.3} Zero from d_c on; without a cut-off zero at d_ref. Over the taper by quadrature, to some 1e-13.
+/// @param law   the near field
+/// @param pair  pair_law()
+/// @param d     distance, > 0 [m]
+/// @return V [J]
+double potential(const NearField& law, const kinematics::CentralForce& pair, double d);
 
 /// What scales each particle's near field.
 ///
@@ -103,6 +145,23 @@ inline bool feels(const NearField& law, const At<>& at, const Eigen::VectorXd& f
   return (pair.alpha1 > 0.0 || pair.alpha2 > 0.0) && (at.inverse_mass[i] > 0.0 || at.inverse_mass[j] > 0.0);
 }
 
+/// Pairs of which some are within reach: in a domain of one's own, and without a cut-off, all.
+///
+/// @param at  the particles
+/// @return candidates
+template <kinematics::Domain D>
+Candidates candidates(const NearField&, const D&, const At<>& at) {
+  return {at.mass.size(), nullptr, nullptr};
+}
+
+/// The same in space: those that the scene's neighbour search finds, where the near field is cut off.
+///
+/// @param law     constants that validate() accepts
+/// @param domain  forms the separations
+/// @param at      the particles; their scratch remembers neighbours
+/// @return candidates, until neighbours are asked again
+Candidates candidates(const NearField& law, const kinematics::Space& domain, const At<>& at);
+
 /// Adds the near-field forces over all pairs in space, whose walls the near field does not feel.
 ///
 /// @equation{M 2.3} One pass over the pairs j > i with both forces from one evaluation, so that the total force
@@ -112,6 +171,9 @@ inline bool feels(const NearField& law, const At<>& at, const Eigen::VectorXd& f
 /// entry. The inverse distance is a rounded square root and a rounded division; avx512 refines the processor's estimate
 /// instead, and errs less. More than ten particles are copied into padded columns of the scene's scratch,
 /// 80 bytes a particle.
+///
+/// Where the near field is cut off the neighbours of each particle are searched, and only pairs within reach are
+/// evaluated, at a cost that grows with N. Sums are formed over those pairs alone, by ascending numbers.
 /// @param law    constants that validate() accepts
 /// @param at     the particles
 /// @param force  receives the forces, added to what it holds [N]
@@ -132,21 +194,24 @@ bool add_force(const NearField& law, const kinematics::Space&, const At<>& at, F
 template <kinematics::Domain D>
 bool add_force(const NearField& law, const D& domain, const At<>& at, Forces force) {
   const Eigen::VectorXd factor = scaling_factors(law, at);
+  const Candidates near = candidates(law, domain, at);
+  bool all_full = true;
   for (Eigen::Index i = 0; i < at.mass.size(); ++i) {
-    for (Eigen::Index j = i + 1; j < at.mass.size(); ++j) {
+    near.behind(i, [&](Eigen::Index j) {
       const Eigen::Vector3d towards = separation(domain, at.position.row(i), at.position.row(j));
       const double square = towards.squaredNorm();
+      if (square >= law.cutoff * law.cutoff && std::isfinite(law.cutoff)) return;
       if (!is_full(square)) {
-        if (feels(law, at, factor, i, j)) return false;
-        continue;
+        all_full = all_full && !feels(law, at, factor, i, j);
+        return;
       }
       const double d = std::sqrt(square);
-      const double over_d = strength(pair_law(law, factor[i], factor[j]), d) / d;
+      const double over_d = tapering(law, d) * strength(pair_law(law, factor[i], factor[j]), d) / d;
       force.row(i) += over_d * towards.transpose();
       force.row(j) -= over_d * towards.transpose();
-    }
+    });
   }
-  return force.allFinite();
+  return all_full && force.allFinite();
 }
 
 /// Why two particles have no near field: of pairs that feel each other, the first whose squared distance is none.
@@ -173,7 +238,7 @@ std::string why_no_force(const NearField& law, const D& domain, const At<>& at) 
 ///
 /// \f[ V = \sum_{i<j} \big(V_{ij}(d) - V_{ij}(d_{ref})\big), \qquad \Psi_i^{nf} = -\nabla_i V \f]
 ///
-/// @equation{D 2.3}
+/// @equation{D 2.3} With a cut-off over the pairs within reach, each zero at d_c instead of d_ref.
 /// @param law     constants that validate() accepts
 /// @param domain  forms the separations
 /// @param at      the particles
@@ -182,13 +247,14 @@ std::string why_no_force(const NearField& law, const D& domain, const At<>& at) 
 template <kinematics::Domain D>
 double potential_energy(const NearField& law, const D& domain, const At<>& at) {
   const Eigen::VectorXd factor = scaling_factors(law, at);
+  const Candidates near = candidates(law, domain, at);
   double sum = 0.0;
   for (Eigen::Index i = 0; i < at.mass.size(); ++i) {
-    for (Eigen::Index j = i + 1; j < at.mass.size(); ++j) {
+    near.behind(i, [&](Eigen::Index j) {
       const double d = kinematics::length(separation(domain, at.position.row(i), at.position.row(j)));
-      if (d == 0.0 && !feels(law, at, factor, i, j)) continue;
-      sum += potential(pair_law(law, factor[i], factor[j]), d, law.d_ref);
-    }
+      if (d == 0.0 && !feels(law, at, factor, i, j)) return;
+      sum += potential(law, pair_law(law, factor[i], factor[j]), d);
+    });
   }
   return sum;
 }

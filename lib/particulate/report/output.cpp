@@ -29,7 +29,10 @@ bool is_table(const std::string& name) {
 
 // Whatever a list says, nothing but the results of runs is ever taken down.
 bool is_result(const std::string& file) {
-  return file == parameters || (file.ends_with(".csv") && is_table(file.substr(0, file.size() - 4)));
+  const std::size_t dot = std::min(file.find('.'), file.size());
+  const std::string ending = file.substr(dot);
+  return file == parameters ||
+         (is_table(file.substr(0, dot)) && (ending == ".csv" || ending == ".xyz" || ending == ".vtp"));
 }
 
 // What the run at work, or one that was cut short, has written so far.
@@ -107,6 +110,15 @@ void Output::write(const std::string& name, const Table& table) const {
         "output: a table's name must be lower-case letters, digits and underscores, without .csv, got \"{}\"", name));
   }
   add(name + ".csv", table.csv());
+}
+
+void Output::write_file(const std::string& file, std::string_view content) const {
+  if (!is_result(file)) {
+    throw std::invalid_argument(fmt::format(
+        "output: a file's name must be lower-case letters, digits and underscores, with .xyz or .vtp, got \"{}\"",
+        file));
+  }
+  add(file, content);
 }
 
 void Output::write_parameters(std::string_view toml) const { add(parameters, toml); }

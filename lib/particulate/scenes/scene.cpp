@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <numeric>
 #include <stdexcept>
 #include <vector>
 
 #include <fmt/format.h>
+
+#include <particulate/kinematics/cells.hpp>
 
 namespace particulate::scenes::detail {
 
@@ -23,24 +24,33 @@ void add_jump(schemes::Jump one, schemes::Jump& all) {
   all.accumulates = one.accumulates;
 }
 
-// In the order of their longest direction no pair is looked at that is farther apart in it than the nearest so far.
-double closest(schemes::In r) {
+double closest(const kinematics::Space& domain, schemes::In r) {
+  constexpr Eigen::Index few = 32;
   const Eigen::Index N = r.size() / 3;
-  if (N < 2) return 0.0;
+  if (N <= few || !r.allFinite()) return closest<kinematics::Space>(domain, r);
   const Eigen::Map<const kinematics::Vectors> at(r.data(), N, 3);
+  double nearest = std::numeric_limits<double>::infinity();
+  const auto look_at = [&](const Eigen::Vector3d& one, const Eigen::Vector3d& other) {
+    const double apart = kinematics::length(separation(domain, one, other));
+    if (apart > 0.0) nearest = std::min(nearest, apart);
+  };
+  // Some of those that follow one another in the longest direction are near enough for cells with few bodies.
+  const Eigen::RowVector3d extent = at.colwise().maxCoeff() - at.colwise().minCoeff();
   Eigen::Index axis = 0;
-  (at.colwise().maxCoeff() - at.colwise().minCoeff()).maxCoeff(&axis);
+  extent.maxCoeff(&axis);
   std::vector<Eigen::Index> order(static_cast<std::size_t>(N));
   std::iota(order.begin(), order.end(), Eigen::Index{0});
   std::sort(order.begin(), order.end(), [&](Eigen::Index i, Eigen::Index j) { return at(i, axis) < at(j, axis); });
-  double nearest = std::numeric_limits<double>::infinity();
-  for (auto i = order.begin(); i != order.end(); ++i) {
-    for (auto j = std::next(i); j != order.end() && at(*j, axis) - at(*i, axis) < nearest; ++j) {
-      const double apart = (at.row(*j) - at.row(*i)).stableNorm();
-      if (apart > 0.0) nearest = std::min(nearest, apart);
-    }
+  for (std::size_t k = 1; k < order.size(); ++k) look_at(at.row(order[k - 1]), at.row(order[k]));
+  if (!std::isfinite(nearest)) return closest<kinematics::Space>(domain, r);
+  kinematics::Cells cells(domain, extent, nearest, N);
+  for (const Eigen::Index i : order) {
+    const Eigen::Vector3d here = at.row(i);
+    const int any_level = 0;
+    cells.near(here, 0.5 * nearest, any_level, [&](const auto& body) { look_at(here, body.place); });
+    cells.insert(i, here, 0.5 * nearest);
   }
-  return std::isfinite(nearest) ? nearest : 0.0;
+  return nearest;
 }
 
 void refuse_length(Eigen::Index given, Eigen::Index N) {

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+#include <limits>
 #include <optional>
 #include <string>
 #include <tuple>
@@ -44,8 +48,23 @@ void add_jump(schemes::Jump one, schemes::Jump& all);
 
 [[noreturn]] void refuse_length(Eigen::Index given, Eigen::Index N);
 
-// Of the positions of all bodies, column by column.
-double closest(schemes::In r);
+// The distance of the nearest two that are apart, of the positions of all bodies, column by column.
+template <class D>
+double closest(const D& domain, schemes::In r) {
+  const Eigen::Map<const kinematics::Vectors> at(r.data(), r.size() / 3, 3);
+  double nearest = std::numeric_limits<double>::infinity();
+  for (Eigen::Index i = 0; i < at.rows(); ++i) {
+    const Eigen::Vector3d here = at.row(i);
+    for (Eigen::Index j = i + 1; j < at.rows(); ++j) {
+      const double apart = kinematics::length(separation(domain, here, at.row(j)));
+      if (apart > 0.0) nearest = std::min(nearest, apart);
+    }
+  }
+  return std::isfinite(nearest) ? nearest : 0.0;
+}
+
+// The same by search.
+double closest(const kinematics::Space& domain, schemes::In r);
 
 // A vector of another length would be read beyond its end.
 inline void require_length(Eigen::Index given, Eigen::Index N) {
@@ -84,7 +103,8 @@ class Scene {
       : particles_(std::move(particles)), domain_(std::move(domain)), laws_(std::move(laws)...) {
     validate(particles_);
     check(domain_);
-    std::apply([](const auto&... law) { (check(law), ...); }, laws_);
+    if constexpr (std::same_as<D, kinematics::Space>) validate_periods(domain_, particles_.radius);
+    std::apply([&](const auto&... law) { (check(law), ...), (check_in(domain_, law), ...); }, laws_);
     inverse_mass_ = inverse_masses(particles_);
   }
 
@@ -192,7 +212,7 @@ class Scene {
     std::optional<double> first;
     const auto locate = [&](const auto& law) {
       if constexpr (contact::LocatesImpacts<std::decay_t<decltype(law)>, D>) {
-        first = first_impact(law, domain_, particles_.radius, inverse_mass_, path, end);
+        first = first_impact(law, domain_, particles_.radius, inverse_mass_, scratch_.neighbours, path, end);
       }
     };
     std::apply([&](const auto&... law) { (locate(law), ...); }, laws_);
@@ -210,7 +230,7 @@ class Scene {
   ///
   /// @param r  positions, 3 N numbers
   /// @return distance of their centres; 0 where there are no two [m]
-  double spacing(schemes::In r) const { return detail::closest(r); }
+  double spacing(schemes::In r) const { return detail::closest(domain_, r); }
   /// The mean velocity of the bodies, each counting once. One body alone shares its motion with none.
   /// @see schemes::HasScales
   ///
@@ -252,23 +272,28 @@ class Scene {
   schemes::Jump impacts_by(const L& law, const laws::At<laws::Velocity>& here, schemes::State& state, double dt) const {
     contact::Touching touching = contact::find_touching(domain_, here, detail::tolerance_of(law));
     if (!contact::any_approach(touching, here)) return {.overlap = touching.overlap, .unsettled = {}};
-    Eigen::VectorXd others(state.r.size());
+    Eigen::VectorXd &others = scratch_.others, &after = scratch_.after;
+    others.resize(state.r.size());
     if (!total_force(state, others)) {
       const std::string why = why_no_value(state);
       return {.overlap = touching.overlap,
               .evaluations = 1,
               .unsettled = "the forces have no value where bodies touch" + (why.empty() ? "" : ": " + why)};
     }
-    Eigen::VectorXd after = state.v;
+    after = state.v;
     schemes::Jump jump = resolve_impacts(law, here, std::move(touching), others, dt, after);
     jump.evaluations = 1;
-    state.v = after;
+    state.v.swap(after);
     return jump;
   }
 
   template <class L>
   static void check(const L& law) {
     if constexpr (laws::Validated<L>) validate(law);
+  }
+  template <class L>
+  static void check_in(const D& domain, const L& law) {
+    if constexpr (laws::ValidatedIn<L, D>) validate(law, domain);
   }
   Shaped shaped(const schemes::In& x) const {
     detail::require_length(x.size(), particles_.size());

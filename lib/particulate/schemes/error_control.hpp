@@ -62,6 +62,11 @@ struct ErrorControl {
   /// @param made  the attempted step; one cut short to land on the end of a run leaves a longer step alone
   /// @return accepted; refused, to be tried again with dt(); or impossible with the reason
   Decision judge(const Attempt& made);
+  /// Drops what was set by judge(), but for the step. @see Forgets
+  void forget() {
+    last_error = last_step = 0.0;
+    refused = false;
+  }
 
  private:
   bool settled(const Iteration& it) const;

@@ -298,6 +298,7 @@ class Run {
   }
 
   bool book(Jump jump) {
+    if (task_.jumped) task_.jumped(task_.observer, to_, jump);
     out_.impacts += jump.impacts;
     out_.energy_change += jump.energy_change;
     out_.overlap = std::max(out_.overlap, jump.overlap);

@@ -27,6 +27,13 @@ struct Unobserved {
   }
 };
 
+/// Ability of an observer: `jumped(after, jump)`, told after each jump of the state at the end of a step, whether or
+/// not anything changed in it. What the observer itself is given at that time is the state before.
+template <class O>
+concept SeesJumps = requires(O& o, const State& after, const Jump& jump) {
+  o.jumped(after, jump);
+};
+
 /// What rounding can have made of the time of a run.
 ///
 /// \f[ (n + 1)\, \varepsilon \max(|t|, |t_{end}|) \f]
@@ -156,6 +163,13 @@ struct Task {
   Watch* watch;  // none: no events
   void* observer;
   bool (*observe)(void*, const State& from, const State& to, double dt);
+  void (*jumped)(void*, const State& after, const Jump& jump);  // null: the observer does not see them
+};
+
+template <class S, class Observer>
+struct Watching {
+  Observer& observer;
+  const S& scheme;
 };
 
 Outcome run(const Task& task);
@@ -183,9 +197,12 @@ Outcome integrate(P& problem, State& state, double t_end, S& scheme, C& control,
   if constexpr (BoundsSweeps<C> && !Iterative<S>) {
     if (control.bounds_sweeps()) refuse_tolerance_of_sweeps();
   }
-  auto observe = [&](const State& from, const State& to, double dt) -> bool {
-    return observer(from, to, dt, std::as_const(scheme));
-  };
+  using Seen = Watching<S, Observer>;
+  Seen seen{observer, scheme};
+  void (*jumped)(void*, const State&, const Jump&) = nullptr;
+  if constexpr (SeesJumps<Observer>) {
+    jumped = [](void* o, const State& after, const Jump& jump) { as<Seen>(o).observer.jumped(after, jump); };
+  }
   return run({.problem = problem,
               .state = state,
               .t_end = t_end,
@@ -194,10 +211,12 @@ Outcome integrate(P& problem, State& state, double t_end, S& scheme, C& control,
               .control = &control,
               .control_can = control_table_of<C>,
               .watch = watch,
-              .observer = &observe,
-              .observe = [](void* o, const State& from, const State& to, double dt) {
-                return (*static_cast<decltype(observe)*>(o))(from, to, dt);
-              }});
+              .observer = &seen,
+              .observe = [](void* o, const State& from, const State& to, double dt) -> bool {
+                const Seen& by = as<Seen>(o);
+                return by.observer(from, to, dt, by.scheme);
+              },
+              .jumped = jumped});
 }
 
 }  // namespace detail
@@ -228,7 +247,8 @@ Outcome integrate(P& problem, State& state, double t_end, S& scheme, C& control,
 /// @param t_end     the end time, not before the start [s]
 /// @param scheme    the scheme
 /// @param control   the step control
-/// @param observer  gets (from, to, dt, scheme) of each accepted step before its jump, returns whether to go on
+/// @param observer  gets (from, to, dt, scheme) of each accepted step before its jump, returns whether to go on; may
+///                  be told the jump too (SeesJumps)
 /// @return status, reason and counts
 /// @throws std::invalid_argument for a start, an end or a controller that cannot be meant, and for a problem whose type
 ///         is erased and of which the scheme cannot advance all, or not locate the jumps

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <ostream>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -46,6 +47,30 @@ std::string_view name(Failure failure) {
       return "beyond limit";
   }
   return "unknown";
+}
+
+Outcome& operator+=(Outcome& run, const Outcome& leg) {
+  Outcome all = leg;
+  if (run.steps > 0) {
+    all.overlap_at_start = run.overlap_at_start;
+    all.contacts_at_start = run.contacts_at_start;
+  }
+  all.steps += run.steps;
+  all.rejections += run.rejections;
+  all.sweeps += run.sweeps;
+  all.evaluations += run.evaluations;
+  all.impacts += run.impacts;
+  all.energy_change = run.energy_change + leg.energy_change;
+  all.contraction = std::max(run.contraction, leg.contraction);
+  all.overlap = std::max(run.overlap, leg.overlap);
+  all.travel = std::max(run.travel, leg.travel);
+  if (all.jumps_by_law.size() < run.jumps_by_law.size()) all.jumps_by_law.resize(run.jumps_by_law.size());
+  for (std::size_t k = 0; k < run.jumps_by_law.size(); ++k) {
+    all.jumps_by_law[k].impacts += run.jumps_by_law[k].impacts;
+    all.jumps_by_law[k].energy_change += run.jumps_by_law[k].energy_change;
+  }
+  if (all.ruled.empty()) all.ruled = run.ruled;
+  return run = std::move(all);
 }
 
 namespace {

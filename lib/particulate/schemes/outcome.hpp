@@ -67,6 +67,14 @@ struct [[nodiscard]] Outcome {
   std::string ruled = {};                    ///< the time scale of the problem that cut a step last; empty: none did
 };
 
+/// Adds what the next leg of a run did: counts and energies add up, of contraction, overlap and travel the largest
+/// stays. How the run ended is what the last leg says.
+///
+/// @param run  so far; an Outcome{} before the first leg
+/// @param leg  the next one, which starts where the run was
+/// @return the run
+Outcome& operator+=(Outcome& run, const Outcome& leg);
+
 /// An outcome in words: how and when the run ended, why, and what it did, as far as it is not zero.
 ///
 /// @param outcome  of a run

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -15,13 +16,29 @@ class SampleTimes {
  public:
   explicit SampleTimes(std::vector<double> times);
   std::size_t left() const { return times_.size() - next_; }
-  // Whether the next one lies in the step from one state to the other; throws if it was missed.
-  bool in_step(const State& from, const State& to) const;
-  double pop() { return times_[next_++]; }
+  // Hands on the state at each that lies in a step; throws if one was missed.
+  template <class S, class Receive>
+  void visit(const State& from, const State& to, double dt, const S& scheme, Receive&& receive) {
+    static_assert(Dense<S>, "states at requested times need a scheme with dense output, at(from, dt, theta, there)");
+    while (in_step(from, to)) {
+      const double t = times_[next_++];
+      if (t == from.t || t == to.t) {
+        receive(t == to.t ? to : from);
+      } else {
+        scheme.at(from, dt, ((t - from.t) - from.t_carry) / dt, there_);
+        there_.t = t;
+        there_.t_carry = 0.0;
+        receive(std::as_const(there_));
+      }
+    }
+  }
 
  private:
+  bool in_step(const State& from, const State& to) const;
+
   std::vector<double> times_;
   std::size_t next_ = 0;
+  State there_;
 };
 
 }  // namespace detail
@@ -43,7 +60,7 @@ class Sampling {
   /// @param observer  gets every step as well, after the states in it, and returns whether to go on
   /// @throws std::invalid_argument for times that are not in order
   explicit Sampling(std::vector<double> times, Receive receive, Observer observer = {})
-      : times_(std::move(times)), receive_(std::move(receive)), observer_(std::move(observer)) {}
+      : times_(std::move(times)), receive_(std::move(receive)), observer_(std::forward<Observer>(observer)) {}
 
   /// One step of a run.
   ///
@@ -55,20 +72,13 @@ class Sampling {
   /// @throws std::invalid_argument if a time lies before the start of the run
   template <class S>
   bool operator()(const State& from, const State& to, double dt, const S& scheme) {
-    static_assert(Dense<S>, "states at requested times need a scheme with dense output, at(from, dt, theta, there)");
-    while (times_.in_step(from, to)) {
-      const double t = times_.pop();
-      if (t == from.t || t == to.t) {
-        receive_(t == to.t ? to : from);
-      } else {
-        scheme.at(from, dt, ((t - from.t) - from.t_carry) / dt, there_);
-        there_.t = t;
-        there_.t_carry = 0.0;
-        receive_(std::as_const(there_));
-      }
-    }
+    times_.visit(from, to, dt, scheme, receive_);
     return observer_(from, to, dt, scheme);
   }
+
+  /// @param after  the state after a jump
+  /// @param jump   what it did; the observer is told
+  void jumped(const State& after, const Jump& jump) requires SeesJumps<Observer> { observer_.jumped(after, jump); }
 
   /// @return how many times are still to come [-]
   std::size_t left() const { return times_.left(); }
@@ -77,7 +87,10 @@ class Sampling {
   detail::SampleTimes times_;
   Receive receive_;
   Observer observer_;
-  State there_;
 };
+
+/// An observer in std::ref() is not copied.
+template <class Receive, class Observer>
+Sampling(std::vector<double>, Receive, std::reference_wrapper<Observer>) -> Sampling<Receive, Observer&>;
 
 }  // namespace particulate::schemes

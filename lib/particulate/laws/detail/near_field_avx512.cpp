@@ -5,11 +5,13 @@
 #include <particulate/laws/detail/near_field_pairs.hpp>
 
 const particulate::laws::detail::AddPairs particulate::laws::detail::add_pairs_avx512 = add_pairs;
+const particulate::laws::detail::AddPairsWithin particulate::laws::detail::add_pairs_within_avx512 = add_pairs_within;
 
 #else
 
 #include <particulate/laws/detail/near_field_kernels.hpp>
 
 const particulate::laws::detail::AddPairs particulate::laws::detail::add_pairs_avx512 = nullptr;
+const particulate::laws::detail::AddPairsWithin particulate::laws::detail::add_pairs_within_avx512 = nullptr;
 
 #endif

@@ -29,11 +29,26 @@ constexpr std::int64_t padded_to = 8;
 
 // Adds the forces of all pairs; false if a distance between two particles has no square that a double holds to full
 // precision.
-using AddPairs = bool (*)(const PairForce &law, const Columns &columns, std::int64_t N);
+using AddPairs = bool (*)(const PairForce& law, const Columns& columns, std::int64_t N);
+
+// Which pairs may be within reach, and how the force ends there: the Candidates of Neighbours, the cut-off distance,
+// the width over which it is tapered, and the periods of space.
+struct Within {
+  const std::uint32_t* first;
+  const std::int32_t* partner;
+  double cutoff, taper;
+  double lengths[3];
+};
+
+// The same for those pairs alone that are nearer than the cut-off distance. Columns need no padding.
+using AddPairsWithin = bool (*)(const PairForce& law, const Within& within, const Columns& columns, std::int64_t N);
 
 // One for each set of instructions; null where this build has no such code.
 extern const AddPairs add_pairs_baseline;
 extern const AddPairs add_pairs_avx2;
 extern const AddPairs add_pairs_avx512;
+extern const AddPairsWithin add_pairs_within_baseline;
+extern const AddPairsWithin add_pairs_within_avx2;
+extern const AddPairsWithin add_pairs_within_avx512;
 
 }  // namespace particulate::laws::detail

@@ -272,5 +272,94 @@ bool add_pairs(const PairForce& law, const Columns& c, std::int64_t N) {
   return add_all(AnyPowers(law), law, c, N);
 }
 
+// How a force ends at its cut-off distance: by a factor of 1 - u^2 (3 - 2 u), u from 0 to 1 over the taper's width.
+class Taper {
+ public:
+  explicit Taper(const Within& within)
+      : start_(within.cutoff - within.taper), per_width_(within.taper > 0.0 ? 1.0 / within.taper : 0.0) {}
+
+  Vector operator()(Vector d) const {
+    Vector u = (d - start_) * per_width_;
+    u = u > 0.0 ? u : Vector{};
+    u = u < 1.0 ? u : Vector{} + 1.0;
+    return 1.0 - u * u * (3.0 - 2.0 * u);
+  }
+
+ private:
+  double start_, per_width_;
+};
+
+// The component of the nearest image; see separation() of space.
+double nearest(double d, double length) {
+  return std::fabs(d) > 0.5 * length ? d - length * std::nearbyint(d / length) : d;
+}
+
+// Partners of a particle within reach, side by side: as many as are met at once.
+struct Met {
+  static constexpr int most = 64;
+  alignas(64) double dx[most], dy[most], dz[most], square[most], factor[most];
+  std::int32_t number[most];
+  int n = 0;
+};
+
+// A particle against those partners. Lanes are filled with partners within reach alone, in ascending order, so that
+// sums do not depend on which others were candidates.
+template <class Powers>
+__attribute__((flatten)) void meet_within(const Powers& powers, const Taper& taper, const Row& row, const Columns& c,
+                                          Met& met, Sums& action, Range<Vector>& range) {
+  for (int k = met.n; k % lanes != 0; ++k) met.dx[k] = met.dy[k] = met.dz[k] = met.factor[k] = 0.0, met.square[k] = 1.0;
+  for (int first = 0; first < met.n; first += lanes) {
+    const Vector dx = load(met.dx + first), dy = load(met.dy + first), dz = load(met.dz + first);
+    const Vector square = load(met.square + first);
+    range.include(square);
+    const Vector over_d =
+        force_over_distance(powers, row, load(met.factor + first), square) * taper(square * inverse_root(square));
+    const Vector x = over_d * dx, y = over_d * dy, z = over_d * dz;
+    action.x += x, action.y += y, action.z += z;
+    const int used = met.n - first < lanes ? met.n - first : lanes;
+    for (int lane = 0; lane < used; ++lane) {
+      const std::int32_t j = met.number[first + lane];
+      c.reaction_x[j] -= x[lane], c.reaction_y[j] -= y[lane], c.reaction_z[j] -= z[lane];
+    }
+  }
+  met.n = 0;
+}
+
+template <class Powers>
+bool add_all_within(const Powers& powers, const PairForce& law, const Within& within, const Columns& c,
+                    std::int64_t N) {
+  const Taper taper(within);
+  const double reach = within.cutoff * within.cutoff;
+  Range<Vector> range;
+  Met met;
+  for (std::int64_t i = 0; i < N; ++i) {
+    const Row row = row_of(law, c, i);
+    Sums action;
+    const auto look_at = [&](std::int64_t j) {
+      const double dx = nearest(c.x[j] - row.x, within.lengths[0]), dy = nearest(c.y[j] - row.y, within.lengths[1]),
+                   dz = nearest(c.z[j] - row.z, within.lengths[2]);
+      const double square = dx * dx + dy * dy + dz * dz;
+      met.dx[met.n] = dx, met.dy[met.n] = dy, met.dz[met.n] = dz, met.square[met.n] = square;
+      met.factor[met.n] = c.factor[j], met.number[met.n] = static_cast<std::int32_t>(j);
+      met.n += square < reach ? 1 : 0;
+      if (met.n == Met::most) meet_within(powers, taper, row, c, met, action, range);
+    };
+    if (within.first) {
+      for (std::uint32_t k = within.first[i]; k < within.first[i + 1]; ++k) look_at(within.partner[k]);
+    } else {
+      for (std::int64_t j = i + 1; j < N; ++j) look_at(j);
+    }
+    if (met.n > 0) meet_within(powers, taper, row, c, met, action, range);
+    c.action_x[i] += sum(action.x), c.action_y[i] += sum(action.y), c.action_z[i] += sum(action.z);
+  }
+  return is_full(range);
+}
+
+bool add_pairs_within(const PairForce& law, const Within& within, const Columns& c, std::int64_t N) {
+  if (law.beta1 == 1.0 && law.beta2 == 2.0) return add_all_within(FixedPowers<1, 2>{}, law, within, c, N);
+  if (law.beta1 == 2.0 && law.beta2 == 3.0) return add_all_within(FixedPowers<2, 3>{}, law, within, c, N);
+  return add_all_within(AnyPowers(law), law, within, c, N);
+}
+
 }  // namespace
 }  // namespace particulate::laws::detail
