@@ -22,7 +22,10 @@ constexpr std::array features{
     Feature{"wall", "gravity, near field, contact", "wall_absent", "wall_idle", "contact_used"},
     Feature{"friction", "gravity, near field, box, contact", "contact_used", "friction_idle", "friction_used"},
     Feature{"restitution law", "gravity, near field, box, contact", "contact_used", "restitution_law_idle",
-            "restitution_law_used"}};
+            "restitution_law_used"},
+    Feature{"periods", "near field cut off, contact", "periods_absent", "periods_idle", "periods_used"},
+    Feature{"neighbours", "gravity, 1728 particles", "neighbours_absent", "neighbours_idle", "neighbours_used"},
+    Feature{"history", "gravity, near field", "history_absent", "history_idle", "history_used"}};
 
 void add_line(particulate::report::Table& table, const std::string& feature, const std::string& state,
               const std::string& surroundings, const StepCost& cost) {
@@ -72,8 +75,8 @@ void claim_states(Rows& rows, const StepCosts& costs) {
                    .because = "what is absent has no code; two programs are laid out differently by the compiler, "
                               "which alone moves the count by about 0.1 per mille"});
   }
-  for (const char* const scene :
-       {"near_field_absent", "near_field_used", "gravity_absent", "gravity_idle", "contact_absent", "contact_idle"}) {
+  for (const char* const scene : {"near_field_absent", "near_field_used", "gravity_absent", "gravity_idle",
+                                  "contact_absent", "contact_idle", "neighbours_idle", "history_idle"}) {
     rows.compare(fmt::format("{}: allocations a step", scene),
                  {.expected = 0.0,
                   .computed = costs.of(scene).allocations,

@@ -1,16 +1,20 @@
 // Scenes of 64 particles, for the table of what a feature costs: feature_cost <steps>... runs all of them.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <stdexcept>
+#include <vector>
 
 #include <harness/counted_program.hpp>
 #include <particulate/contact/contact.hpp>
 #include <particulate/laws/gravity.hpp>
 #include <particulate/laws/near_field.hpp>
+#include <particulate/scenes/history.hpp>
 #include <particulate/scenes/scene.hpp>
 #include <particulate/schemes/fixed_step.hpp>
 #include <particulate/schemes/integrate.hpp>
+#include <particulate/schemes/legs.hpp>
 #include <particulate/schemes/verlet.hpp>
 
 namespace {
@@ -24,18 +28,18 @@ using scenes::Scene;
 using verification::CountedRun;
 using verification::CountedScene;
 
-constexpr Eigen::Index side = 4, N = side * side * side;
+constexpr Eigen::Index side = 4, N = side * side * side, many = 27 * N;
 constexpr double dt = 4e-3;
 
 // Spheres on a lattice of spacing 1 with unrelated velocities: thin ones do not meet within the run, thick ones soon
 // do.
-kinematics::Particles cloud(double radius, double speed) {
-  kinematics::Particles all{.position = kinematics::Vectors(N, 3),
-                            .velocity = kinematics::Vectors(N, 3),
-                            .mass = Eigen::VectorXd::Ones(N),
-                            .radius = Eigen::VectorXd::Constant(N, radius)};
-  for (Eigen::Index i = 0; i < N; ++i) {
-    const std::array<Eigen::Index, 3> corner{i % side, i / side % side, i / (side * side)};
+kinematics::Particles cloud(double radius, double speed, Eigen::Index count = N, Eigen::Index edge = side) {
+  kinematics::Particles all{.position = kinematics::Vectors(count, 3),
+                            .velocity = kinematics::Vectors(count, 3),
+                            .mass = Eigen::VectorXd::Ones(count),
+                            .radius = Eigen::VectorXd::Constant(count, radius)};
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const std::array<Eigen::Index, 3> corner{i % edge, i / edge % edge, i / (edge * edge)};
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
       const auto k = static_cast<std::size_t>(axis);
       // Multiples of an irrational number modulo 1 are spread evenly.
@@ -48,6 +52,8 @@ kinematics::Particles cloud(double radius, double speed) {
   return all;
 }
 const kinematics::Particles thin = cloud(0.1, 0.01), thick = cloud(0.46, 1.0);
+// So many that their neighbours are searched: once where they hardly move, every few steps where they fly apart.
+const kinematics::Particles slow_many = cloud(0.1, 1e-4, many, 3 * side), fast_many = cloud(0.1, 20.0, many, 3 * side);
 
 // Walls half a spacing outside the lattice, or farther.
 Space box(double away) {
@@ -61,28 +67,43 @@ Space box(double away) {
   return space;
 }
 
+// Space that repeats itself: within the cloud's own size, or far beyond it.
+Space repeated(double period) { return {.lengths = Eigen::Vector3d::Constant(period)}; }
+
 const Gravity weight{.g = {0.0, 0.0, -0.1}};
 const Gravity weightless{.g = Eigen::Vector3d::Zero()};
 const laws::NearField field{.alpha1 = 0.01, .alpha2 = 0.005, .beta1 = 1.0, .beta2 = 2.0};
+const laws::NearField cut_off{.alpha1 = 0.01, .alpha2 = 0.005, .beta1 = 1.0, .beta2 = 2.0, .cutoff = 1.9, .taper = 0.5};
 const laws::NearField no_field{.alpha1 = 0.0, .alpha2 = 0.0, .beta1 = 1.0, .beta2 = 2.0};
 
 schemes::State start_of(const kinematics::Particles& particles) {
   return {.t = 0.0, .r = particles.position.reshaped(), .v = particles.velocity.reshaped()};
 }
 
-template <class P>
-CountedRun by_library(P problem, const kinematics::Particles& particles, long steps) {
+template <class P, class Observer = schemes::Unobserved>
+CountedRun by_library(P problem, const kinematics::Particles& particles, long steps, Observer&& observer = {}) {
   schemes::State motion = start_of(particles);
   schemes::VelocityVerlet scheme;
   schemes::FixedStep control{.step = dt};
-  const schemes::Outcome out = schemes::integrate(problem, motion, dt * static_cast<double>(steps), scheme, control);
+  const schemes::Outcome out =
+      schemes::integrate(problem, motion, dt * static_cast<double>(steps), scheme, control, observer);
   if (out.status != schemes::Status::reached || out.steps != steps) throw std::runtime_error(out.reason);
-  return {.particles = N, .impacts = out.impacts, .sum = motion.r.sum()};
+  return {.particles = particles.size(), .impacts = out.impacts, .sum = motion.r.sum()};
 }
 
 template <class D, class... Laws>
 CountedRun scene(const kinematics::Particles& particles, const D& domain, long steps, const Laws&... laws) {
   return by_library(Scene<D, Laws...>(particles, domain, laws...), particles, steps);
+}
+
+// A scene with a history of which a row is due every so often; far apart: never.
+CountedRun with_history(long steps, double apart) {
+  const Scene observed(thin, Space{}, weight, field);
+  const double end = std::min(dt * static_cast<double>(steps), 1e6);
+  scenes::History history(observed, apart > end ? std::vector{apart} : schemes::multiples(apart, 0.0, end));
+  CountedRun run = by_library(observed, thin, steps, history);
+  run.sum += history.rows().sum();
+  return run;
 }
 
 // What a reader would write without a library: Verlet over three arrays of components, the forces in place, no checks.
@@ -176,10 +197,23 @@ const std::array all{
                  }},
 
     CountedScene{"restitution_law_idle", [](long n) { return scene(thick, box(0.0), n, weight, field, Varying{}); }},
-    CountedScene{"restitution_law_used", [](long n) {
+    CountedScene{"restitution_law_used",
+                 [](long n) {
                    return scene(thick, box(0.0), n, weight, field,
                                 Varying{.restitution = {.e_o = 1.0, .v_star = 500.0}});
-                 }}};
+                 }},
+
+    CountedScene{"periods_absent", [](long n) { return scene(thick, Space{}, n, cut_off, Elastic{}); }},
+    CountedScene{"periods_idle", [](long n) { return scene(thick, repeated(1e3), n, cut_off, Elastic{}); }},
+    CountedScene{"periods_used", [](long n) { return scene(thick, repeated(side), n, cut_off, Elastic{}); }},
+
+    CountedScene{"neighbours_absent", [](long n) { return scene(slow_many, Space{}, n, weight); }},
+    CountedScene{"neighbours_idle", [](long n) { return scene(slow_many, Space{}, n, weight, Elastic{}); }},
+    CountedScene{"neighbours_used", [](long n) { return scene(fast_many, Space{}, n, weight, Elastic{}); }},
+
+    CountedScene{"history_absent", [](long n) { return scene(thin, Space{}, n, weight, field); }},
+    CountedScene{"history_idle", [](long n) { return with_history(n, 1e9); }},
+    CountedScene{"history_used", [](long n) { return with_history(n, dt); }}};
 
 }  // namespace
 
