@@ -1,0 +1,126 @@
+// Error against run time of a cloud's relative energy, the mean of several starts: stepped contacts and located ones.
+
+#include <cmath>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <harness/case.hpp>
+#include <harness/competitors.hpp>
+#include <harness/races.hpp>
+#include <harness/replay.hpp>
+
+#include "relative_energy.hpp"
+
+namespace verification::work_precision_clouds {
+
+using namespace particulate;
+
+constexpr Eigen::Index N = 60;
+constexpr double t_end = 0.3;
+
+// One competitor's clouds, and what it found last.
+template <class Scene, class Run>
+struct Lane {
+  std::vector<Scene> clouds;
+  Run run;  // (problem, cloud, setting) -> MeanOfRun
+  double setting, truth;
+  std::vector<Replay> tapes = std::vector<Replay>(clouds.size());
+  double mean = missing;
+
+  Counts follow(bool hooked) {
+    Counts counts;
+    mean = 0.0;
+    for (std::size_t k = 0; k < clouds.size(); ++k) {
+      const schemes::Problem cloud(clouds[k]);
+      const MeanOfRun one = run(hooked ? cloud.with(tapes[k]) : cloud, clouds[k], setting);
+      mean += one.energy / static_cast<double>(clouds.size());
+      counts.evaluations += one.outcome.evaluations;
+      counts.iterations += one.outcome.sweeps;
+    }
+    return counts;
+  }
+  Counts replay() {
+    for (Replay& tape : tapes) tape.rewind();
+    return follow(true);
+  }
+  Task task() const {
+    const schemes::State start = scenes::start(clouds.front());
+    schemes::Rates rates;
+    if (!schemes::Problem(clouds.front()).rates(start, rates)) rates.a.setConstant(missing);
+    return {.start = {start.r.begin(), start.r.end()}, .rate = {rates.a.begin(), rates.a.end()}, .outputs = {t_end}};
+  }
+};
+
+template <class Make, class Run>
+Competitor clouds_by(std::string name, const Make& make, std::vector<double> settings, const Run& run,
+                     const std::vector<std::uint64_t>& seeds, double truth) {
+  using Scene = decltype(make(N, std::uint64_t{}));
+  const auto prepare = [=](double setting) {
+    std::vector<Scene> clouds;
+    for (const std::uint64_t seed : seeds) clouds.push_back(make(N, seed));
+    const auto lane = std::make_shared<Lane<Scene, Run>>(
+        Lane<Scene, Run>{.clouds = std::move(clouds), .run = run, .setting = setting, .truth = truth});
+    (void)lane->follow(true);
+    return Prepared{.task = lane->task(),
+                    .run = [=] { return lane->follow(false); },
+                    .errors =
+                        [=] {
+                          const double error = std::abs(lane->mean - lane->truth) / lane->truth;
+                          return Errors{.end = error, .max = error};
+                        },
+                    .replay = [=] { return lane->replay(); }};
+  };
+  return {.name = std::move(name), .settings = std::move(settings), .prepare = prepare};
+}
+
+template <class Scene, class S, class C>
+MeanOfRun follow(const schemes::Problem& problem, const Scene& cloud, S scheme, C control) {
+  return mean_of_run(problem, cloud.particles().mass, scenes::start(cloud), t_end, scheme, control);
+}
+
+template <int S>
+MeanOfRun located(const schemes::Problem& problem, const auto& cloud, double tolerance) {
+  return follow(problem, cloud, schemes::Collocation<schemes::Gauss<S>>(),
+                schemes::ErrorControl{.TOL = tolerance, .sweep_TOL = 0.1 * tolerance, .limit = 0.05});
+}
+
+const Case clouds{
+    {.name = "work_precision_clouds",
+     .claim =
+         "error against run time of the mean relative energy of clouds: stepped contact has order 1, located is not "
+         "held to it",
+     .equation = "R 2.2",
+     .reference = Reference::convergence},
+    [](Rows& rows) {
+      std::vector<std::uint64_t> seeds;
+      for (std::uint64_t k = 0; k < (rows.quick() ? 8U : 64U); ++k) seeds.push_back(100 + k);
+      double truth = 0.0, other = 0.0;
+      for (const std::uint64_t seed : seeds) {
+        const auto cloud = located_cloud(N, seed);
+        const schemes::Problem problem(cloud);
+        truth += located<4>(problem, cloud, 1e-12).energy / static_cast<double>(seeds.size());
+        other += located<6>(problem, cloud, 1e-11).energy / static_cast<double>(seeds.size());
+      }
+      std::vector<double> steps;
+      for (int k = 0; k < (rows.quick() ? 6 : 9); ++k) steps.push_back(std::ldexp(4e-3, -k));
+      const auto by_verlet = [](const schemes::Problem& problem, const auto& cloud, double step) {
+        return follow(problem, cloud, schemes::VelocityVerlet(), schemes::FixedStep{.step = step});
+      };
+      const auto by_gauss = [](const schemes::Problem& problem, const auto& cloud, double tolerance) {
+        return located<4>(problem, cloud, tolerance);
+      };
+      const auto stepped_clouds = [](Eigen::Index n, std::uint64_t seed) { return stepped_cloud(n, seed); };
+      const auto located_clouds = [](Eigen::Index n, std::uint64_t seed) { return located_cloud(n, seed); };
+      rows.work_precision(
+          {.problem = "clouds",
+           .reference = "Gauss 4 with located contacts at a tolerance of 1e-12, checked by Gauss 6 at 1e-11",
+           .floor = std::max(std::abs(other - truth) / truth, 1e-14),
+           .competitors = {with_slope(1.0, clouds_by("velocity Verlet, stepped contact", stepped_clouds, steps,
+                                                     by_verlet, seeds, truth)),
+                           clouds_by("Gauss 4, located contact", located_clouds,
+                                     tolerances(rows.quick() ? 1e-6 : 1e-9, 1e-3), by_gauss, seeds, truth)}});
+    }};
+
+}  // namespace verification::work_precision_clouds
