@@ -112,7 +112,7 @@ Eigen::Vector3d separation(const Hidden& hidden, const Eigen::Vector3d& from, co
 BOOST_AUTO_TEST_CASE(is_the_same_among_neighbours_as_among_all_pairs) {
   for (const Space& space : {Space{}, Space{.lengths = {1.0, infinity, 1.0}}}) {
     int found = 0;
-    for (unsigned seed = 1; seed <= 40; ++seed) {
+    for (unsigned seed = 1; seed <= 15; ++seed) {
       Flight flight{random_cloud(90, {1.0, 1.0, 1.0}, 5e-3, 0.03, seed)};
       flight.dt = 0.1;
       flight.acceleration = 20.0 * random_cloud(90, {1.0, 1.0, 1.0}, 1.0, 1.0, seed + 100).velocity;
@@ -120,7 +120,7 @@ BOOST_AUTO_TEST_CASE(is_the_same_among_neighbours_as_among_all_pairs) {
       BOOST_TEST((first(flight, space) == all));
       found += all ? 1 : 0;
     }
-    BOOST_TEST(found > 10);
+    BOOST_TEST(found > 4);
   }
 }
 

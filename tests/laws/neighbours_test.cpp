@@ -48,10 +48,10 @@ BOOST_AUTO_TEST_CASE(hold_all_that_are_near_in_the_same_order) {
 
 BOOST_AUTO_TEST_CASE(are_right_at_every_age_of_the_list) {
   for (const Space& space : spaces) {
-    Particles cloud = random_cloud(300, unit, 0.02, 0.06);
+    Particles cloud = random_cloud(150, unit, 0.02, 0.06);
     Neighbours neighbours;
     int missed = 0;
-    const long steps = 200;
+    const long steps = 100;
     for (long k = 0; k < steps; ++k) {
       // All drift together as well, many periods far.
       cloud.position += 0.002 * cloud.velocity;

@@ -232,7 +232,7 @@ BOOST_AUTO_TEST_CASE(says_that_there_is_no_value_at_the_start_or_at_an_iterate) 
 BOOST_AUTO_TEST_CASE(spans_of_a_time_scale_what_its_sweeps_allow_and_no_more) {
   const FixedStep converged{.step = 1.0, .TOL = 1e-6, .contractions = 20000};
   for (const double phi : {1.0, 0.75, 0.5}) {
-    for (const int sweeps : {1, 2, 3, 4, 7}) {
+    for (const int sweeps : {1, 2, 3, 4}) {
       BOOST_TEST_CONTEXT("phi = " << phi << ", " << sweeps << " sweeps") {
         spans_exactly(phi, TimeScale::Kind::oscillates, FixedSweeps{.step = 1.0, .sweeps = sweeps});
         spans_exactly(phi, TimeScale::Kind::decays, FixedSweeps{.step = 1.0, .sweeps = sweeps});

@@ -92,7 +92,7 @@ template <class S>
 void continues_to_the_same_bits(S scheme, long asked_again) {
   Circle problem;
   S other = scheme;
-  ErrorControl whole_control{.TOL = 1e-5, .step = 0.01, .limit = 1.0}, control = whole_control;
+  ErrorControl whole_control{.TOL = 1e-4, .step = 0.01, .limit = 1.0}, control = whole_control;
   State whole = Circle::at(0.0), parts = whole;
   int steps = 0;
   const auto stop = [&](const State&, const State&, double, const S&) { return ++steps < 9; };

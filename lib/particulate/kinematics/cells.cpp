@@ -75,8 +75,8 @@ Cells::Level Cells::empty_level(int number, std::int64_t room) const {
   for (std::size_t k = 0; k < 3; ++k) {
     const double period = periods_[static_cast<Eigen::Index>(k)];
     // A period holds a multiple of the cells that are kept, so that they repeat themselves with it.
-    const double per_period = static_cast<double>(whole[k] / kept[k] * kept[k]);
-    level.axis[k] = {std::isfinite(period) ? per_period / period : 1.0 / edge, period, kept[k]};
+    const std::int64_t per_period = whole[k] - whole[k] % kept[k];
+    level.axis[k] = {std::isfinite(period) ? static_cast<double>(per_period) / period : 1.0 / edge, kept[k]};
   }
   level.head.assign(static_cast<std::size_t>(cells()), -1);
   return level;
@@ -84,9 +84,6 @@ Cells::Level Cells::empty_level(int number, std::int64_t room) const {
 
 // Rounding never takes a place out of the cut: what is rounded alike keeps its order, and the rest is allowed for.
 Cells::Cut Cells::cut(const Axis& axis, double place, double reach, double rounding) {
-  if (std::isfinite(axis.period) && !(place >= 0.0 && place < axis.period)) {
-    place -= axis.period * whole(place / axis.period);
-  }
   const double margin = reach * (1.0 + 1e-12) + rounding;
   const double from = whole(std::clamp((place - margin) * axis.per_length, -farthest_cell, farthest_cell));
   const double to = whole(std::clamp((place + margin) * axis.per_length, -farthest_cell, farthest_cell));
@@ -99,7 +96,7 @@ std::array<Cells::Cut, 3> Cells::cuts(const Level& level, const Eigen::Vector3d&
   if (!place.allFinite()) return all;
   for (std::size_t k = 0; k < 3; ++k) {
     const auto axis = static_cast<Eigen::Index>(k);
-    // A place is moved into the first period with the roundings of where it was.
+    // The cells of places that are periods apart are the same but for the roundings of both.
     const double far = std::abs(place[axis]) + (std::isfinite(periods_[axis]) ? farthest_[axis] + periods_[axis] : 0.0);
     all[k] = cut(level.axis[k], place[axis], reach, 8.0 * rounding_unit * far);
   }

@@ -84,7 +84,6 @@ class Cells {
   // One direction of a level: where the cells have numbers 0, 1, ... without end, they are kept as number modulo cells.
   struct Axis {
     double per_length;   // cells a length [1/m]
-    double period;       // length after which places repeat themselves; infinite: they do not [m]
     std::int64_t cells;  // that are kept, a divisor of those in a period [-]
   };
   struct Level {

@@ -132,9 +132,9 @@ Vectors lattice(Lattice kind, Eigen::Index N, double edge) {
   while (places * n * n * n < N) ++n;
   Vectors position(N, 3);
   for (Eigen::Index i = 0; i < N; ++i) {
-    const Eigen::Index cell = i / places;
-    const Eigen::Vector3d corner(static_cast<double>(cell % n), static_cast<double>(cell / n % n),
-                                 static_cast<double>(cell / (n * n)));
+    const Eigen::Index cell = i / places, row = cell / n, layer = row / n;
+    const Eigen::Vector3d corner(static_cast<double>(cell % n), static_cast<double>(row % n),
+                                 static_cast<double>(layer));
     set_vector(position, i, edge * (corner + basis[static_cast<std::size_t>(i % places)]));
   }
   return position;
@@ -231,8 +231,8 @@ std::vector<Eigen::Index> order_by_cells(const VectorsIn& position, double edge)
     places.emplace_back(place, i);
   }
   std::sort(places.begin(), places.end());
-  std::vector<Eigen::Index> order;
-  for (const auto& [place, i] : places) order.push_back(i);
+  std::vector<Eigen::Index> order(places.size());
+  std::transform(places.begin(), places.end(), order.begin(), [](const auto& one) { return one.second; });
   return order;
 }
 
