@@ -49,16 +49,19 @@ void steps(const Parameters& p, Journal& journal, report::Chapter& chapter, repo
       return located.column("bulk", row) + located.column("relative", row) + located.column("potential", row) +
              located.column("lost", row);
     };
+    double off = 0.0, size = 0.0;
     for (Eigen::Index row = 0; row < located.history.rows(); ++row) {
-      off_books = std::max(off_books, std::abs(books(row) - books(0)) / located.column("relative", 0));
+      off = std::max(off, std::abs(books(row) - books(0)));
+      size = std::max(size, located.column("relative", row) + std::abs(located.column("potential", row)));
       limits.add({near_fields[k].name, located.column("time", row), located.column("relative", row)});
     }
+    off_books = std::max(off_books, off / (size * static_cast<double>(located.outcome.steps)));
   }
   chapter.output().write("ends", ends);
   chapter.output().write("limits", limits);
   checks.add("located contacts: deepest overlap over the radius", overlap, 1e-10);
-  checks.add("located contacts: error of the books over the relative energy at the start", off_books,
-             100.0 * p.accuracy);
+  checks.add("located contacts: error of the books in a step, over relative and potential energy", off_books,
+             p.accuracy);
 
   const Followed& longest = journal.follow({p.watched - 1U, Way::backward_euler, p.limit});
   const Followed& watched = journal.follow({p.watched - 1U, Way::located, 0.0});
