@@ -89,7 +89,7 @@ struct Parameters {
   double& alpha1 = line.field(0.1, {"alpha1", "attraction in the cloud", "N m/kg^2", between(0.0, 1.0), ours});
   double& alpha2 = line.field(0.01, {"alpha2", "repulsion in the cloud", "N m^2/kg^2", between(0.0, 1.0), ours});
   double& step = line.field(2e-4, {"step", "step of the cloud", "s", between(1e-5, 5e-3), ours});
-  double& duration = line.field(0.8, {"duration", "duration of the cloud's motion", "s", between(0.01, 2.0), ours});
+  double& duration = line.field(0.8, {"duration", "duration of the cloud's motion", "s", between(0.01, 1.0), ours});
   int& side = line.field(4, {"side", "spheres along each edge of the cloud", "-", between(2, 8), ours});
 };
 

@@ -268,6 +268,42 @@ BOOST_AUTO_TEST_CASE(names_file_and_line_of_what_it_cannot_read) {
 
 BOOST_AUTO_TEST_SUITE_END()
 
+BOOST_AUTO_TEST_SUITE(validate_apart_)
+
+// Radii 1, 1 and 0.5 in a row; the first is 0.25 m into the wall on its other side, or not.
+Particles row_of_three(double second, double third, double first = 0.0) {
+  return particles({{.position = {first, 0.0, 0.0}, .mass = 1.0, .radius = 1.0},
+                    {.position = {second, 0.0, 0.0}, .mass = 1.0, .radius = 1.0},
+                    {.position = {third, 0.0, 0.0}, .mass = 1.0, .radius = 0.5}});
+}
+
+BOOST_AUTO_TEST_CASE(names_the_deepest_overlap) {
+  const Space open, between{.walls = {{.point = {-1.0, 0.0, 0.0}, .normal = {1.0, 0.0, 0.0}}}};
+  validate_apart(row_of_three(2.0, 3.5), between);
+  CHECK_REFUSED(validate_apart(row_of_three(1.9, 3.0), open),
+                "no two spheres may overlap, nor a sphere and a wall; spheres 1 and 2 overlap by 0.4");
+  CHECK_REFUSED(validate_apart(row_of_three(1.5, 3.0), open), "spheres 0 and 1 overlap by 0.5 m, deepest of all");
+  CHECK_REFUSED(validate_apart(row_of_three(2.0, 3.5, -0.25), between), "sphere 0 and wall 0 overlap by 0.25 m");
+  CHECK_REFUSED(validate_apart(row_of_three(2.0, 3.5), Space{.lengths = {4.75, infinity, infinity}}),
+                "spheres 0 and 2 overlap by 0.25 m");
+}
+
+BOOST_AUTO_TEST_CASE(takes_no_notice_of_roundings_and_of_what_cannot_move) {
+  Particles far = row_of_three(2.0, 3.5);
+  far.position.col(0).array() = (far.position.col(0).array() + 1e6) * 1e-7;
+  far.radius *= 1e-7;
+  validate_apart(far, Space{});
+  Particles held = row_of_three(1.5, 3.0);
+  held.immovable = {true, true, false};
+  validate_apart(held, Space{});
+  validate_apart(Particles{}, Space{});
+  held.radius.setZero();
+  held.position.setZero();
+  validate_apart(held, Space{});
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
 BOOST_AUTO_TEST_SUITE(order_)
 
 // The eight cells of a cube, two bodies in each: x first, then y, then z, as the curve begins.

@@ -192,6 +192,12 @@ void refuse_starts(Rows& rows) {
       return accepted();
     });
   }
+  rows.must_be_refused("a start in which two overlap across a period", "no two spheres overlap 3 7 0.05", [] {
+    kinematics::Particles all = book_cloud(100, 1, periods);
+    all.position.row(7) = all.position.row(3) + Eigen::RowVector3d(1.0 - 2.0 * all.radius[3] + 0.05, 0.0, 0.0);
+    validate_apart(all, periods);
+    return accepted();
+  });
   const std::vector<std::string> header{"x", "y", "z", "vx", "vy", "vz", "m", "b"};
   rows.must_be_refused("a start file with a column too few", "start.csv:2 must 8 columns 7", [&] {
     kinematics::particles_from({header, {"0", "0", "0", "0", "0", "0", "1"}}, "start.csv");

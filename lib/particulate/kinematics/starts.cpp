@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <numbers>
 #include <numeric>
 #include <stdexcept>
@@ -199,6 +200,58 @@ Particles particles_from(const std::vector<std::vector<std::string>>& lines, con
                     .immovable = immovable == 1.0});
   }
   return particles(list);
+}
+
+namespace {
+
+// What overlaps deepest: two spheres, or one and a wall.
+struct Deepest {
+  double depth = 0.0;
+  Eigen::Index i = -1, j = -1, wall = -1;
+};
+
+Deepest deepest_overlap(const Particles& particles, const Space& domain) {
+  const Eigen::VectorXd inverse_mass = inverse_masses(particles), &radius = particles.radius;
+  const Eigen::RowVector3d extent = particles.position.colwise().maxCoeff() - particles.position.colwise().minCoeff();
+  const double largest = radius.maxCoeff();
+  const double edge = (radius.array() > 0.0).select(2.0 * radius, 2.0 * largest).minCoeff();
+  Deepest worst;
+  if (!(edge > 0.0)) return worst;  // points
+  Cells cells(domain, extent, edge, particles.size());
+  for (Eigen::Index i = 0; i < particles.size(); ++i) {
+    const Eigen::Vector3d here = particles.position.row(i);
+    const auto look_at = [&](double gap, double far, Eigen::Index j, Eigen::Index wall) {
+      const double roundings = 8.0 * std::numeric_limits<double>::epsilon() * far;
+      if (-gap > std::max(worst.depth, roundings)) worst = {.depth = -gap, .i = i, .j = j, .wall = wall};
+    };
+    const int any_level = 0;
+    cells.near(here, radius[i], any_level, [&](const auto& body) {
+      if (!(inverse_mass[i] > 0.0 || inverse_mass[body.index] > 0.0)) return;
+      const double apart = length(separation(domain, here, body.place));
+      look_at(apart - radius[i] - body.size, here.norm() + body.place.norm() + radius[i] + body.size, body.index, -1);
+    });
+    cells.insert(i, here, radius[i]);
+    for (std::size_t k = 0; k < domain.walls.size() && inverse_mass[i] > 0.0; ++k) {
+      const Wall& wall = domain.walls[k];
+      look_at(height_above(wall, here) - radius[i], here.norm() + wall.point.norm() + radius[i], -1,
+              static_cast<Eigen::Index>(k));
+    }
+  }
+  return worst;
+}
+
+}  // namespace
+
+void validate_apart(const Particles& particles, const Space& domain) {
+  if (particles.size() == 0) return;
+  const Deepest worst = deepest_overlap(particles, domain);
+  if (worst.i < 0) return;
+  const std::string who = worst.wall < 0 ? fmt::format("spheres {} and {}", worst.j, worst.i)
+                                         : fmt::format("sphere {} and wall {}", worst.i, worst.wall);
+  throw std::invalid_argument(fmt::format(
+      "start: no two spheres may overlap, nor a sphere and a wall; {} overlap by {} m, deepest of all: move "
+      "them apart, or make them smaller",
+      who, worst.depth));
 }
 
 namespace {

@@ -15,7 +15,7 @@ namespace {
 constexpr double most_periods = 1e15;
 
 // A multiple so many roundings before the end of a run would end a leg for nothing.
-constexpr double roundings = 8.0;
+constexpr double time_roundings = 8.0;
 
 }  // namespace
 
@@ -48,7 +48,7 @@ namespace detail {
 
 double end_of_leg(double period, double t, double t_end) {
   const double next = next_multiple(period, t);
-  const double slack = roundings * std::numeric_limits<double>::epsilon() * std::max(std::abs(t), std::abs(t_end));
+  const double slack = time_roundings * std::numeric_limits<double>::epsilon() * std::max(std::abs(t), std::abs(t_end));
   return next == t_end || next < t_end - slack ? next : t_end;
 }
 
