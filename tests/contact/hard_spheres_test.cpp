@@ -234,9 +234,9 @@ BOOST_AUTO_TEST_CASE(has_no_unit_of_length_or_time_and_loses_nothing_late) {
   HardSpheres slow(small, periodic(0x1p-18, 0x1p-18, 0x1p-18), ConstantRestitution{0.9});
   State state = start(gas), late = state, scaled = start(slow);
   late.t = 1e9;
-  BOOST_TEST(gas.advance(state, 8.0).impacts > 40);
-  BOOST_TEST(gas.advance(late, 1e9 + 8.0).impacts > 40);
-  BOOST_TEST(slow.advance(scaled, 0x1p33).impacts > 40);
+  BOOST_TEST(gas.advance(state, 2.0).impacts > 10);
+  BOOST_TEST(gas.advance(late, 1e9 + 2.0).impacts > 10);
+  BOOST_TEST(slow.advance(scaled, 0x1p31).impacts > 10);
   BOOST_TEST(close(late.r, state.r, {.absolute = 0.0}));
   BOOST_TEST(close(0x1p20 * scaled.r, state.r, {.absolute = 0.0}));
   BOOST_TEST(close(0x1p50 * scaled.v, state.v, {.absolute = 0.0}));
