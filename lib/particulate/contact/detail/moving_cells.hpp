@@ -1,0 +1,154 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include <particulate/kinematics/domain.hpp>
+#include <particulate/kinematics/particles.hpp>
+
+namespace particulate::contact::detail {
+
+// Spheres sorted into cells that they leave one after the other as they fly.
+//
+// A sphere is somewhere in its cell, an interval of each axis that all spheres share, whatever their sizes: so it is
+// known for how long it stays there. It is listed by the level of its size, whose cells are 2^level times as long, so
+// that who looks for large spheres far away looks into few cells. Periods are whole numbers of cells of every level;
+// where space does not repeat itself the lists do, and spheres far from one another may share one.
+class MovingCells {
+ public:
+  // Sorts nobody yet; edge is about that of a cell, extent that of the places where space does not repeat itself [m].
+  MovingCells(const kinematics::Space& domain, const Eigen::Vector3d& extent, double edge,
+              const Eigen::VectorXd& radius);
+
+  // Lists a sphere at a place of the first period.
+  void insert(std::int32_t i, const Eigen::Vector3d& place);
+  // Where the cell of a sphere begins and ends.
+  double low(std::int32_t i, Eigen::Index axis) const { return edge(i, axis, 0); }
+  double high(std::int32_t i, Eigen::Index axis) const { return edge(i, axis, 1); }
+  // Has a sphere step into the next cell: returns the periods by which its place is to be moved.
+  double cross(std::int32_t i, Eigen::Index axis, bool upwards);
+
+  // Visits every sphere j that i may touch while both stay in their cells, and others, as visit(j, image): with whole
+  // periods by which j is to be moved. Once for each image that may be touched; i itself is among them.
+  template <class F>
+  void near(std::int32_t i, F&& visit) const {
+    for (const Level& level : levels_) visit_cut(level, cut(level, i), visit);
+  }
+  // The same of those alone that it may touch since it has crossed into its cell.
+  template <class F>
+  void news(std::int32_t i, Eigen::Index axis, bool upwards, F&& visit) const {
+    for (const Level& level : levels_) {
+      Cut all = cut(level, i);
+      auto& [first, last] = all[static_cast<std::size_t>(axis)];
+      // Levels shift to whole cells towards minus infinity.
+      const std::int64_t reach = reach_of(level, i, axis), here = at(i).cell[static_cast<std::size_t>(axis)];
+      if (upwards) {
+        first = ((here + reach - 1) >> level.number) + 1;
+      } else {
+        last = ((here - reach + 1) >> level.number) - 1;
+      }
+      if (first <= last) visit_cut(level, all, visit);
+    }
+  }
+
+ private:
+  struct Axis {
+    double edge, per_length;  // of a cell [m], its inverse [1/m]
+    bool repeats;             // whether space does
+    std::int64_t cells;       // in a period, if it does
+  };
+  struct Level {
+    int number;
+    double largest;                     // radius of its spheres [m]
+    std::array<std::int64_t, 3> lists;  // along each axis; powers of two where space does not repeat itself
+    std::vector<std::int32_t> head;     // of each list; negative: none
+  };
+  struct Resident {
+    std::array<std::int64_t, 3> cell;
+    std::int32_t level, next, before;  // neighbours in its list
+    double radius;
+  };
+  struct Interval {
+    std::int64_t first, last;
+  };
+  using Cut = std::array<Interval, 3>;
+
+  const Resident& at(std::int32_t i) const { return residents_[static_cast<std::size_t>(i)]; }
+  double edge(std::int32_t i, Eigen::Index axis, std::int64_t beyond) const {
+    const auto k = static_cast<std::size_t>(axis);
+    return static_cast<double>(at(i).cell[k] + beyond) * axes_[k].edge;
+  }
+  // In cells of level zero, rounded up.
+  std::int64_t reach_of(const Level& level, std::int32_t i, Eigen::Index axis) const {
+    const double reach = (at(i).radius + level.largest) * axes_[static_cast<std::size_t>(axis)].per_length;
+    return static_cast<std::int64_t>(reach * (1.0 + 1e-9)) + 1;
+  }
+  Cut cut(const Level& level, std::int32_t i) const {
+    Cut all;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::int64_t reach = reach_of(level, i, static_cast<Eigen::Index>(k)), here = at(i).cell[k];
+      all[k] = {(here - reach) >> level.number, (here + reach) >> level.number};
+    }
+    return all;
+  }
+  // Along one axis: the list of a cell, and in which period it lies.
+  struct Place {
+    std::int64_t list;
+    double period;
+  };
+  Place place(const Level& level, std::size_t k, std::int64_t cell) const {
+    const std::int64_t lists = level.lists[k];
+    if (!axes_[k].repeats) return {cell & (lists - 1), 0.0};
+    Place found{cell, 0.0};
+    for (; found.list < 0; found.list += lists) found.period -= 1.0;
+    for (; found.list >= lists; found.list -= lists) found.period += 1.0;
+    return found;
+  }
+  void step(const Level& level, std::size_t k, Place& one) const {
+    if (++one.list < level.lists[k]) return;
+    one.list = 0;
+    if (axes_[k].repeats) one.period += 1.0;
+  }
+  template <class F>
+  void visit_cut(const Level& level, const Cut& all, F&& visit) const {
+    std::array<std::int64_t, 3> count{};
+    std::array<Place, 3> first{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      count[k] = all[k].last - all[k].first + 1;
+      if (!axes_[k].repeats) count[k] = std::min(count[k], level.lists[k]);
+      first[k] = place(level, k, all[k].first);
+    }
+    Place z = first[2];
+    for (std::int64_t c = 0; c < count[2]; ++c, step(level, 2, z)) {
+      Place y = first[1];
+      for (std::int64_t b = 0; b < count[1]; ++b, step(level, 1, y)) {
+        const std::size_t row = static_cast<std::size_t>((z.list * level.lists[1] + y.list) * level.lists[0]);
+        Place x = first[0];
+        for (std::int64_t a = 0; a < count[0]; ++a, step(level, 0, x)) {
+          std::int32_t j = level.head[row + static_cast<std::size_t>(x.list)];
+          if (j < 0) continue;
+          const Eigen::Vector3d image(x.period, y.period, z.period);
+          for (; j >= 0; j = at(j).next) visit(j, image);
+        }
+      }
+    }
+  }
+  std::int32_t& list_of(std::int32_t i);
+  void link(std::int32_t i);
+  void unlink(std::int32_t i);
+
+  std::array<Axis, 3> axes_{};
+  std::vector<Level> levels_;
+  std::vector<Resident> residents_;
+};
+
+// The edge of cells of which there are up to four a body, that are not smaller than most bodies, and whose
+// numbers are exact; extent receives that of the places, without a tenth of them that may have flown far away [m].
+double cell_edge(const kinematics::Space& domain, const kinematics::VectorsIn& position, const Eigen::VectorXd& radius,
+                 Eigen::Vector3d& extent);
+
+}  // namespace particulate::contact::detail
