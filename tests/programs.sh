@@ -59,7 +59,7 @@ begin() {
   done
   complain "the run must write a table soon: $(<said)"
 }
-endless=(--side 8 --duration 2 --step 1e-5 --e 0.25)
+endless=(--side 8 --duration 1 --step 1e-5 --e 0.25)
 
 "$chapter" --quick --out mixed >said || complain "the first run must end well: $(<said)"
 finished mixed || complain "a run that ended must look so: $(ls -A mixed)"
