@@ -370,6 +370,13 @@ BOOST_AUTO_TEST_CASE(refuses_what_cannot_be_meant) {
   CHECK_REFUSED(HardSpheres(row_of({0}, {0}), open, Restitution{}, Friction{.mu_s = -1.0}), "friction: mu_s");
   CHECK_REFUSED(HardSpheres(row_of({0}, {0}), open, Restitution{}, Frictionless{}, -1.0),
                 "contact_time must be finite and not negative, got -1 s");
+  for (const double length : {1e-80, 1e80}) {
+    Particles far = row_of({0, 3}, {1, 0});
+    far.position *= length, far.velocity *= length, far.radius *= length;
+    HardSpheres other(far);
+    state = start(other);
+    CHECK_REFUSED(other.advance(state, 4.0), "places and speeds must be at most 1e+70 m and m/s");
+  }
   Particles bad = row_of({0}, {0});
   bad.radius[0] = -1.0;
   CHECK_REFUSED(HardSpheres(bad), "radii must be finite and not negative, got -1 m");

@@ -492,6 +492,17 @@ void validate_start(const Gas& gas, const schemes::State& state, double t_end) {
     throw std::invalid_argument(
         fmt::format("hard spheres: the end time must be finite and not before {} s, got {} s", state.t, t_end));
   }
+  // Fourth powers of them stay numbers.
+  constexpr double most = 1e70, least = 1e-70;
+  const auto size = [](const auto& of) { return of.size() > 0 ? of.cwiseAbs().maxCoeff() : 0.0; };
+  const double radius = size(gas.particles.radius), speed = size(state.v), place = std::max(size(state.r), radius);
+  const auto is_small = [](double x) { return x > 0.0 && x < least; };
+  if (place > most || speed > most || is_small(radius) || is_small(speed)) {
+    throw std::invalid_argument(
+        fmt::format("hard spheres: places and speeds must be at most {0:g} m and m/s, and the largest radius and speed "
+                    "at least {1:g} m and m/s or 0, got {2:g} m, {3:g} m/s and a radius of {4:g} m: take other units",
+                    most, least, place, speed, radius));
+  }
 }
 
 }  // namespace

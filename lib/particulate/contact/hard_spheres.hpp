@@ -136,8 +136,8 @@ class HardSpheres {
   /// @param t_end     not before it [s]
   /// @param recorder  is told of every impact
   /// @return how it ended, impacts, change of kinetic energy, deepest overlap
-  /// @throws std::invalid_argument for a state or a time that cannot be meant; for bodies that overlap by more than
-  ///         rounding, with the deepest overlap
+  /// @throws std::invalid_argument for a state or a time that cannot be meant, or of a size that roots of gaps do not
+  ///         hold, beyond 1e70 and below 1e-70; for bodies that overlap by more than rounding, with the deepest overlap
   schemes::Outcome advance(schemes::State& state, double t_end, const CollisionRecorder& recorder = {}) {
     return detail::advance(gas(), state, t_end, recorder, tally_);
   }
