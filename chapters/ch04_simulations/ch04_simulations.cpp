@@ -25,8 +25,9 @@
 //! build/release/bin/ch04_simulations --out ch04
 //! @endverbatim
 //!
-//! With a thousand spheres that takes some ten minutes, with `--quick` and two hundred some ten seconds. `--checkpoint 0.1` saves
-//! the runs after every tenth of a second of their motion, and `--restart ch04/checkpoint.bin` goes on from there.
+//! With a thousand spheres that takes some ten minutes, with `--quick` and two hundred some ten seconds.
+//! `--checkpoint 0.1` saves the runs after every tenth of a second of their motion, and `--restart ch04/checkpoint.bin`
+//! goes on from there.
 //! `--snapshots "0 0.5 1"` writes `cloud.xyz` for OVITO and `cloud_000.vtp` and so on for ParaView.
 //!
 //! @section ch04_program The program

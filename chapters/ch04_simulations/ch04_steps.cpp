@@ -10,7 +10,6 @@
 //! @section ch04_steps_program The program
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <stdexcept>
 
@@ -46,7 +45,6 @@ void steps(const Parameters& p, Journal& journal, report::Chapter& chapter, repo
   report::Table limits({"case", "time [s]", "relative [J/kg]"});
   const double b = journal.cloud().radius[0];
   double overlap = 0.0, off_books = 0.0;
-  std::array<double, 4> limit{};
   const auto add = [&](const Followed& run) {
     const bool located = run.run.way == Way::located;
     ends.add({near_fields[run.run.near_field].name, ways[static_cast<std::size_t>(run.run.way)],
@@ -60,7 +58,6 @@ void steps(const Parameters& p, Journal& journal, report::Chapter& chapter, repo
     const Followed& located = journal.follow({k, Way::located, 0.0});
     add(located);
     if (k == 0) add_gas(p, journal.cloud(), ends);
-    limit[k] = located.last("relative");
     overlap = std::max(overlap, located.outcome.overlap / b);
     const auto books = [&](Eigen::Index row) {
       return located.column("bulk", row) + located.column("relative", row) + located.column("potential", row) +
@@ -112,5 +109,5 @@ void steps(const Parameters& p, Journal& journal, report::Chapter& chapter, repo
 //!
 //! The column of overlaps says the same of contacts. With the longest step spheres enter each other by a large part of
 //! their radius before anything is done about it; some that graze are never seen at all. With located contacts there is
-//! no overlap, and the books close to what was asked of a step. The gas of hard spheres, in the last line of case (1), has the
-//! impacts of the located ones, until rounding has grown, at a small part of their cost.
+//! no overlap, and the books close to what was asked of a step. The gas of hard spheres, in the last line of case (1),
+//! has the impacts of the located ones, until rounding has grown, at a small part of their cost.

@@ -108,18 +108,12 @@ const Case by_roots{
 
       scenes::Scene<kinematics::Space> flight(all, {});
       std::vector<Pair> pairs;
-      reference::Events gaps;
       for (Eigen::Index i = 0; i < N; ++i) {
-        for (Eigen::Index j = i + 1; j < N; ++j) {
-          pairs.push_back({i, j});
-          gaps.push_back(
-              {.function = [=, reach = all.radius[i] + all.radius[j]](
-                               const schemes::State& at) { return (row_of(at.r, j) - row_of(at.r, i)).norm() - reach; },
-               .direction = reference::Direction::falling});
-        }
+        for (Eigen::Index j = i + 1; j < N; ++j) pairs.push_back({i, j});
       }
       schemes::State state = scenes::start(flight);
-      reference::Integrator integrator(flight, state, reference::Adams{.relative = 1e-13, .absolute = 1e-14}, gaps);
+      reference::Integrator integrator(flight, state, reference::Adams{.relative = 1e-13, .absolute = 1e-14},
+                                       gap_events(all.radius));
       const schemes::Outcome by_cvode =
           advance_through_impacts(integrator, state, t_end, [&](schemes::State& at, const auto& hits) {
             for (const reference::Hit& hit : hits) {

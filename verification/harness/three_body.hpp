@@ -50,15 +50,17 @@ inline void set_row(Eigen::VectorXd& flat, Eigen::Index i, const Eigen::Vector3d
   flat[i] = value[0], flat[N + i] = value[1], flat[2 * N + i] = value[2];
 }
 
-/// Events of three bodies: the gap between two of them closes.
+/// Events of bodies: the gap between two of them closes; (0, 1), (0, 2), ..., (1, 2), as in three_pairs.
 inline particulate::reference::Events gap_events(const Eigen::VectorXd& radius) {
   particulate::reference::Events events;
-  for (const Pair& pair : three_pairs) {
-    events.push_back({.function =
-                          [pair, reach = radius[pair[0]] + radius[pair[1]]](const particulate::schemes::State& at) {
-                            return (row_of(at.r, pair[1]) - row_of(at.r, pair[0])).norm() - reach;
-                          },
-                      .direction = particulate::reference::Direction::falling});
+  for (Eigen::Index i = 0; i < radius.size(); ++i) {
+    for (Eigen::Index j = i + 1; j < radius.size(); ++j) {
+      events.push_back({.function =
+                            [i, j, reach = radius[i] + radius[j]](const particulate::schemes::State& at) {
+                              return (row_of(at.r, j) - row_of(at.r, i)).norm() - reach;
+                            },
+                        .direction = particulate::reference::Direction::falling});
+    }
   }
   return events;
 }
