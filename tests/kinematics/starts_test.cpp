@@ -286,6 +286,9 @@ BOOST_AUTO_TEST_CASE(names_the_deepest_overlap) {
   CHECK_REFUSED(validate_apart(row_of_three(2.0, 3.5, -0.25), between), "sphere 0 and wall 0 overlap by 0.25 m");
   CHECK_REFUSED(validate_apart(row_of_three(2.0, 3.5), Space{.lengths = {4.75, infinity, infinity}}),
                 "spheres 0 and 2 overlap by 0.25 m");
+  Particles nowhere = row_of_three(2.0, 3.5);
+  nowhere.position(0, 1) = not_a_number;
+  CHECK_REFUSED(validate_apart(nowhere, open), "must be finite");
 }
 
 BOOST_AUTO_TEST_CASE(takes_no_notice_of_roundings_and_of_what_cannot_move) {

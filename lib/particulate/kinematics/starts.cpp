@@ -243,6 +243,8 @@ Deepest deepest_overlap(const Particles& particles, const Space& domain) {
 }  // namespace
 
 void validate_apart(const Particles& particles, const Space& domain) {
+  validate(particles);
+  validate(domain);
   if (particles.size() == 0) return;
   const Deepest worst = deepest_overlap(particles, domain);
   if (worst.i < 0) return;

@@ -100,9 +100,9 @@ Particles particles_from(const std::vector<std::vector<std::string>>& lines, con
 /// Refuses spheres that overlap each other or a wall, by more than the roundings of their places. A scene does not, as
 /// stepped contact takes what has come to overlap apart again: for starts that come from elsewhere.
 ///
-/// @param particles  a start that validate() accepts; two that are immovable may overlap
+/// @param particles  a start; two that are immovable may overlap
 /// @param domain     whose distances count, and whose walls
-/// @throws std::invalid_argument naming the deepest overlap, and whose it is
+/// @throws std::invalid_argument naming the deepest overlap, and whose it is; and as validate() does
 void validate_apart(const Particles& particles, const Space& domain);
 
 /// An order in which bodies that are near each other come after each other, for memory to be read in its order: along a
