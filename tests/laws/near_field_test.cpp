@@ -180,8 +180,12 @@ BOOST_AUTO_TEST_CASE(accepts_the_defaults) { BOOST_CHECK_NO_THROW(validate(NearF
 BOOST_AUTO_TEST_CASE(names_the_constant_what_must_hold_and_what_was_given) {
   CHECK_REFUSED(validate(NearField{.alpha1 = -1.0}), "alpha1 must be finite and not negative, got -1");
   CHECK_REFUSED(validate(NearField{.alpha2 = infinity}), "alpha2 must be finite and not negative, got inf");
-  CHECK_REFUSED(validate(NearField{.beta1 = not_a_number}), "beta1 must be finite and not negative, got nan");
-  CHECK_REFUSED(validate(NearField{.beta2 = -2.0}), "beta2 must be finite and not negative, got -2");
+  CHECK_REFUSED(validate(NearField{.beta1 = not_a_number}), "beta1 must be finite and at least -1, got nan");
+  CHECK_REFUSED(validate(NearField{.beta2 = -2.0}), "beta2 must be finite and at least -1, got -2");
+  BOOST_CHECK_NO_THROW(validate(NearField{.beta1 = -1.0}));
+  for (const int bad : {-1, 0, 1025}) {
+    CHECK_REFUSED(validate(NearField{.threads = bad}), "near field: threads must be from 1 to 1024, got");
+  }
   for (const double bad : {0.0, -1.0, infinity, not_a_number}) {
     CHECK_REFUSED(validate(NearField{.d_ref = bad}), "d_ref must be positive and finite, got");
   }
@@ -594,6 +598,215 @@ BOOST_AUTO_TEST_CASE(is_nothing_for_one_particle_and_for_none) {
 
 BOOST_AUTO_TEST_CASE(is_no_finite_number_where_particles_coincide) {
   BOOST_TEST(!std::isfinite(potential_energy(monograph, Space{}, pair_at(0.0).places())));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(real_exponents)
+
+// Of twelve particles only the first and one other have mass: the force of that pair alone, as vectors form it.
+BOOST_AUTO_TEST_CASE(err_by_less_than_1e_14_of_attraction_and_repulsion_at_any_distance) {
+  Uniform uniform;
+  std::vector<double> betas{-1.0, -0.5, 0.0, 0.5, 1.0, 1.5, 2.5, 7.0, 13.0, 2.0, 3.0};
+  for (int k = 0; k < 6; ++k) betas.push_back(14.0 * uniform() - 1.0);
+  Cloud cloud = cloud_of(12);
+  cloud.mass.setZero();
+  cloud.mass[0] = cloud.mass[7] = 1.0;
+  int compared = 0;
+  double worst = 0.0;
+  for (const Kernel kernel : kernels()) {
+    for (std::size_t k = 0; k < betas.size(); ++k) {
+      const NearField law = with_kernel(kernel, with_exponents({betas[k], betas[(k + 4) % betas.size()]}));
+      for (int decade = -150; decade <= 150; decade += std::abs(decade) < 12 ? 1 : 6) {
+        const double d = std::pow(10.0, decade + uniform());
+        cloud.position.setZero();
+        for (Eigen::Index i = 0; i < 12; ++i) cloud.position(i, 1) = d * (1.0 + static_cast<double>(i));
+        cloud.position.row(0).setZero(), cloud.position.row(7) << d, 0.0, 0.0;
+        const auto term = [&](double alpha, double beta) {
+          return static_cast<long double>(alpha) *
+                 std::pow(static_cast<long double>(d), -static_cast<long double>(beta));
+        };
+        const long double attraction = term(law.alpha1, law.beta1), repulsion = term(law.alpha2, law.beta2);
+        const Added added = forces(law, Space{}, cloud);
+        BOOST_TEST_CONTEXT("beta = (" << law.beta1 << ", " << law.beta2 << "), d = " << d << ", kernel "
+                                      << name(kernel)) {
+          if (attraction + repulsion > 1e308L) {
+            BOOST_TEST(!added.has_value);
+          } else if (attraction + repulsion > 1e-290L && attraction + repulsion < 1e300L) {
+            BOOST_TEST(added.has_value);
+            const double error =
+                static_cast<double>(std::abs(added.force(0, 0) - (attraction - repulsion)) / (attraction + repulsion));
+            worst = std::max(worst, error), ++compared;
+            BOOST_TEST(error < 1e-14);
+            BOOST_TEST(added.force(7, 0) == -added.force(0, 0));
+          }
+        }
+      }
+    }
+  }
+  BOOST_TEST(compared > 500);
+  BOOST_TEST_MESSAGE("largest error " << worst << " of " << compared);
+}
+
+BOOST_AUTO_TEST_CASE(agree_with_the_plain_double_loop_for_any_number_of_particles) {
+  for (const Eigen::Index N : {11, 13, 64, 257}) {
+    const Cloud cloud = cloud_of(N);
+    for (const Kernel kernel : kernels()) {
+      for (const auto& [beta1, beta2] : {std::pair{-1.0, 2.0}, {1.0, 2.5}, {0.37, 12.9}, {1.0, 2.0}, {4.0, 6.0}}) {
+        const NearField law = with_kernel(kernel, with_exponents({beta1, beta2}));
+        agrees_with_the_plain_loop(law, cloud, forces(law, Space{}, cloud));
+      }
+    }
+  }
+}
+
+// d^-2 is 1e-300 at 1e150 m, and 1e-450, nothing, over that distance.
+BOOST_AUTO_TEST_CASE(and_whole_ones_lose_nothing_to_a_division_by_the_distance) {
+  for (const Kernel kernel : kernels()) {
+    for (const Eigen::Index N : {2, 12}) {
+      Cloud cloud = cloud_of(N);
+      for (const auto& [beta, d] : {std::pair{2.0, 1e150}, {1.9, 1e150}, {1.5, 1e-150}, {2.0, 1e-150}}) {
+        cloud.position.setZero();
+        for (Eigen::Index i = 0; i < N; ++i) cloud.position(i, 0) = d * static_cast<double>(i);
+        const NearField law{.alpha1 = 1.0, .beta1 = beta, .beta2 = beta, .scaling = Scaling::pair, .kernel = kernel};
+        const Added added = forces(law, Space{}, cloud);
+        double expected = 0.0;
+        for (Eigen::Index i = 1; i < N; ++i) expected += std::pow(d * static_cast<double>(i), -beta);
+        BOOST_TEST(added.has_value);
+        BOOST_TEST(added.force(0, 0) == expected, tolerance(1e-12));
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(threads)
+
+Added by_threads(int threads, NearField law, const Space& space, const Cloud& cloud) {
+  law.threads = threads;
+  return forces(law, space, cloud);
+}
+
+BOOST_AUTO_TEST_CASE(give_the_same_bits_whatever_their_number) {
+  const Space box{.lengths = {1.0, 1.0, infinity}};
+  for (const Kernel kernel : kernels()) {
+    for (const Eigen::Index N : {20, 257, 700}) {
+      const Cloud cloud = cloud_of(N);
+      for (const auto& [beta1, beta2] : {std::pair{2.0, 3.0}, {0.7, 2.5}}) {
+        const NearField law = with_kernel(kernel, with_exponents({beta1, beta2}));
+        NearField near = law, wide = law;
+        near.cutoff = 0.2, near.taper = 0.1, wide.cutoff = 0.5;
+        for (const int many : {2, 3, 5}) {
+          BOOST_TEST((by_threads(many, law, {}, cloud).force == by_threads(1, law, {}, cloud).force));
+          BOOST_TEST((by_threads(many, near, box, cloud).force == by_threads(1, near, box, cloud).force));
+          BOOST_TEST((by_threads(many, wide, box, cloud).force == by_threads(1, wide, box, cloud).force));
+          NearField shared = law;
+          shared.threads = many;
+          BOOST_TEST(potential_energy(shared, Space{}, cloud.places()) ==
+                     potential_energy(law, Space{}, cloud.places()));
+        }
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(refuse_what_one_refuses) {
+  for (const double cutoff : {infinity, 0.3}) {
+    NearField law = with_exponents({0.7, 2.5});
+    law.cutoff = cutoff;
+    Cloud cloud = cloud_of(600);
+    cloud.position.row(590) = cloud.position.row(3);
+    BOOST_TEST(!by_threads(2, law, {}, cloud).has_value);
+    cloud.inverse_mass[3] = cloud.inverse_mass[590] = 0.0;
+    const Added shared = by_threads(2, law, {}, cloud);
+    BOOST_TEST(shared.has_value);
+    BOOST_TEST((shared.force == by_threads(1, law, {}, cloud).force));
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(add_force_and_energy_)
+
+// Integrals of the two powers in extended precision: their sum, and that of the sizes of their terms.
+std::array<double, 2> plain_energy(const NearField& law, const Cloud& cloud) {
+  long double sum = 0.0L, sizes = 0.0L;
+  const auto integral = [&](long double beta, long double d) {
+    const long double e = 1.0L - beta, log = std::log(d / law.d_ref);
+    return e == 0.0L ? log : std::pow(static_cast<long double>(law.d_ref), e) * std::expm1(e * log) / e;
+  };
+  for (Eigen::Index i = 0; i < cloud.position.rows(); ++i) {
+    for (Eigen::Index j = i + 1; j < cloud.position.rows(); ++j) {
+      long double square = 0.0L;
+      for (Eigen::Index c = 0; c < 3; ++c) {
+        const long double apart = static_cast<long double>(cloud.position(i, c)) - cloud.position(j, c);
+        square += apart * apart;
+      }
+      const long double d = std::sqrt(square), both = factor(law, cloud, i) * factor(law, cloud, j);
+      const long double pull = both * law.alpha1 * integral(law.beta1, d);
+      const long double push = both * law.alpha2 * integral(law.beta2, d);
+      sum += pull - push, sizes += std::abs(pull) + std::abs(push);
+    }
+  }
+  return {static_cast<double>(sum), static_cast<double>(sizes)};
+}
+
+BOOST_AUTO_TEST_CASE(adds_what_the_two_add_one_by_one) {
+  for (const Kernel kernel : kernels()) {
+    for (const Eigen::Index N : {2, 11, 29, 265}) {
+      const Cloud cloud = cloud_of(N);
+      for (const auto& [beta1, beta2] :
+           {std::pair{1.0, 2.0}, {2.0, 3.0}, {7.0, 13.0}, {-1.0, 2.0}, {1.0 + 1e-9, 0.999}, {0.37, 2.5}, {0.0, 1.0}}) {
+        NearField law = with_kernel(kernel, with_exponents({beta1, beta2}));
+        law.d_ref = 0.7;
+        Vectors force = Vectors::Zero(N, 3);
+        double energy = 2.0;
+        BOOST_TEST(add_force_and_energy(law, Space{}, cloud.places(), Forces(force.data(), N, 3), energy));
+        BOOST_TEST((force == forces(law, Space{}, cloud).force));
+        const auto [expected, sizes] = plain_energy(law, cloud);
+        BOOST_TEST_CONTEXT("N = " << N << ", beta = (" << beta1 << ", " << beta2 << "), kernel " << name(kernel)) {
+          BOOST_TEST(std::abs(energy - 2.0 - expected) <= 1e-14 * sizes + 2.0 * eps);
+          BOOST_TEST(std::abs(potential_energy(law, Space{}, cloud.places()) - expected) <= 1e-14 * sizes);
+          long times = 0;
+          double asked = 0.0;
+          BOOST_TEST(add_force_and_energy(law, Asked{&times}, cloud.places(), Forces(force.data(), N, 3), asked));
+          BOOST_TEST(std::abs(asked - expected) <= 1e-14 * sizes);
+        }
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(has_no_value_where_one_of_them_has_none) {
+  for (const Kernel kernel : kernels()) {
+    for (const Eigen::Index N : {12, 300}) {
+      const NearField law = with_kernel(kernel, with_exponents({0.5, 2.5}));
+      Cloud same = cloud_of(N), nowhere = same, apart = same;
+      same.position.row(5) = same.position.row(2);
+      nowhere.position(3, 2) = not_a_number;
+      apart.position.row(4) << 1e160, 0.0, 0.0;
+      Vectors force = Vectors::Zero(N, 3);
+      double energy = 0.0;
+      for (const Cloud* cloud : {&same, &nowhere, &apart}) {
+        BOOST_TEST(!add_force_and_energy(law, Space{}, cloud->places(), Forces(force.data(), N, 3), energy));
+      }
+      BOOST_TEST(!std::isfinite(potential_energy(law, Space{}, same.places())));
+      BOOST_TEST(!std::isfinite(potential_energy(law, Space{}, nowhere.places())));
+    }
+  }
+}
+
+// Powers and reference distances that come near the ends of what a double holds are taken pair by pair.
+BOOST_AUTO_TEST_CASE(holds_at_extreme_distances) {
+  for (const double d : {1e-100, 1e100}) {
+    Cloud cloud = cloud_of(20);
+    cloud.position *= d;
+    NearField law = with_exponents({0.5, 1.5});
+    law.d_ref = d;
+    const auto [expected, sizes] = plain_energy(law, cloud);
+    BOOST_TEST(std::abs(potential_energy(law, Space{}, cloud.places()) - expected) <= 1e-13 * sizes);
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

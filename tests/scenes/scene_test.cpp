@@ -147,8 +147,8 @@ BOOST_AUTO_TEST_CASE(checks_its_particles_and_its_laws) {
   bad.mass[1] = -1.0;
   CHECK_REFUSED(Scene(bad, Space{}, Weight{1.0}), "masses must be positive");
   CHECK_REFUSED(Scene(two_particles(), Space{}, Drag{1.0}, Weight{-1.0}), "weight: g must not be negative");
-  CHECK_REFUSED(Scene(two_particles(), Space{}, Weight{1.0}, NearField{.beta1 = -1.0}),
-                "beta1 must be finite and not negative");
+  CHECK_REFUSED(Scene(two_particles(), Space{}, Weight{1.0}, NearField{.beta1 = -2.0}),
+                "beta1 must be finite and at least -1");
   BOOST_CHECK_NO_THROW(Scene(two_particles(), Space{}, Drag{-1.0}));  // a law without validate() is taken as it is
 }
 

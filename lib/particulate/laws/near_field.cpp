@@ -6,8 +6,13 @@
 #include <numbers>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
+#ifdef _OPENMP
+#include <omp.h>
+#endif
 
 #include <particulate/laws/detail/near_field_kernels.hpp>
 
@@ -60,9 +65,10 @@ std::string refusal(Kernel kernel) {
 
 static_assert(detail::padded_to == Scratch::line);
 
-// The columns of a scene's scratch, filled.
-detail::Columns filled(Scratch& scratch, const double* position, const double* factor, Eigen::Index N) {
-  double* const first = scratch.columns(10, N);
+// The columns of a scene's scratch, filled, and more behind them.
+detail::Columns filled(Scratch& scratch, const double* position, const double* factor, Eigen::Index N,
+                       std::size_t more = 0) {
+  double* const first = scratch.columns(10 + more, N);
   const std::size_t stride = Scratch::stride(N);
   const auto column = [&](std::size_t k) { return first + k * stride; };
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -79,6 +85,89 @@ detail::Columns filled(Scratch& scratch, const double* position, const double* f
           .reaction_x = column(7),
           .reaction_y = column(8),
           .reaction_z = column(9)};
+}
+
+// All pairs of many particles in tiles: so many against so many others, then so many among themselves, which is half
+// the work. The order in which tiles are added is theirs, whoever works on them.
+constexpr Eigen::Index edge = 256;
+static_assert(edge % detail::padded_to == 0);
+
+struct Tiles {
+  Eigen::Index N, edges = (N + edge - 1) / edge, mixed = edges * (edges - 1) / 2, count = mixed + edges;
+
+  // Where rows and partners of one begin.
+  std::pair<Eigen::Index, Eigen::Index> operator[](Eigen::Index k) const {
+    if (k >= mixed) return {(k - mixed) * edge, (k - mixed) * edge};
+    Eigen::Index row = 0;
+    for (; k >= edges - 1 - row; ++row) k -= edges - 1 - row;
+    return {row * edge, (row + 1 + k) * edge};
+  }
+  Eigen::Index size(Eigen::Index first) const { return std::min(edge, N - first); }
+};
+
+// Particles of a tile, from the first one on, with six columns of forces of their own.
+detail::Columns part(const detail::Columns& all, Eigen::Index first, double* own) {
+  return {.x = all.x + first,
+          .y = all.y + first,
+          .z = all.z + first,
+          .factor = all.factor + first,
+          .action_x = own,
+          .action_y = own + edge,
+          .action_z = own + 2 * edge,
+          .reaction_x = own + 3 * edge,
+          .reaction_y = own + 4 * edge,
+          .reaction_z = own + 5 * edge};
+}
+
+void add_to(double* sum, const double* part, Eigen::Index n) {
+#pragma omp simd
+  for (Eigen::Index i = 0; i < n; ++i) sum[i] += part[i];
+}
+
+// Adds what a tile found.
+void add_tile(const detail::Columns& all, const detail::Block& tile, Eigen::Index row, Eigen::Index partner) {
+  add_to(all.action_x + row, tile.row.action_x, tile.rows);
+  add_to(all.action_y + row, tile.row.action_y, tile.rows);
+  add_to(all.action_z + row, tile.row.action_z, tile.rows);
+  add_to(all.reaction_x + partner, tile.partner.reaction_x, tile.partners);
+  add_to(all.reaction_y + partner, tile.partner.reaction_y, tile.partners);
+  add_to(all.reaction_z + partner, tile.partner.reaction_z, tile.partners);
+}
+
+int this_thread() {
+#ifdef _OPENMP
+  return omp_get_thread_num();
+#else
+  return 0;
+#endif
+}
+
+// What detail::AddPairs does to one block, by threads; forces are columns behind those of all.
+bool add_tiles(detail::AddPairs add_pairs, const detail::PairForce& pair, const detail::Columns& all, double* forces,
+               const Tiles& tiles, int threads, double* energy) {
+  bool full = true;
+  double sum = 0.0;
+#pragma omp parallel for ordered schedule(dynamic, 1) num_threads(threads) reduction(&& : full)
+  for (Eigen::Index k = 0; k < tiles.count; ++k) {
+    const auto [row, partner] = tiles[k];
+    double* const own = forces + 6 * edge * this_thread();
+    std::fill_n(own, 6 * edge, 0.0);
+    const detail::Block tile{.row = part(all, row, own),
+                             .partner = part(all, partner, own),
+                             .rows = tiles.size(row),
+                             .partners = tiles.size(partner),
+                             .same = row == partner};
+    double found = 0.0;
+    const bool all_full = add_pairs(pair, tile, energy ? &found : nullptr);
+    full = full && all_full;
+#pragma omp ordered
+    {
+      add_tile(all, tile, row, partner);
+      sum += found;
+    }
+  }
+  if (energy) *energy += sum;
+  return full;
 }
 
 // Adds one component of the forces; false if one of them is not finite, which is what times zero is not zero.
@@ -122,8 +211,14 @@ Kernel best_kernel() {
 }
 
 void validate(const NearField& law) {
-  validate(
-      kinematics::CentralForce{.alpha1 = law.alpha1, .alpha2 = law.alpha2, .beta1 = law.beta1, .beta2 = law.beta2});
+  validate(kinematics::CentralForce{.alpha1 = law.alpha1, .alpha2 = law.alpha2});
+  for (const auto& [constant, beta] : {std::pair{"beta1", law.beta1}, {"beta2", law.beta2}}) {
+    if (beta >= -1.0 && std::isfinite(beta)) continue;
+    throw std::invalid_argument(fmt::format("near field: {} must be finite and at least -1, got {}", constant, beta));
+  }
+  if (!(law.threads >= 1 && law.threads <= 1024)) {
+    throw std::invalid_argument(fmt::format("near field: threads must be from 1 to 1024, got {}", law.threads));
+  }
   if (!(law.d_ref > 0.0 && std::isfinite(law.d_ref))) {
     throw std::invalid_argument(fmt::format("near field: d_ref must be positive and finite, got {} m", law.d_ref));
   }
@@ -215,48 +310,142 @@ std::string why_no_force(const NearField& law, const At<>& at,
 
 namespace {
 
+Kernel chosen(const NearField& law) { return law.kernel == Kernel::best ? best_kernel() : law.kernel; }
+
+detail::PairForce pair_force(const NearField& law) {
+  return {.alpha1 = law.alpha1, .alpha2 = law.alpha2, .beta1 = law.beta1, .beta2 = law.beta2, .d_ref = law.d_ref};
+}
+
+// All pairs of more than a few particles, and where energy is given their energy; the forces are left in the columns.
+bool add_many(const NearField& law, const At<>& at, const double* factor, detail::Columns& c, double* energy) {
+  const Eigen::Index N = at.mass.size();
+  const detail::AddPairs add_pairs = built(chosen(law)).all;
+  const detail::PairForce pair = pair_force(law);
+  const double* const r = at.position.data();
+  if (N <= edge) {
+    c = filled(at.scratch, r, factor, N);
+    return add_pairs(pair, {.row = c, .partner = c, .rows = N, .partners = N, .same = true}, energy);
+  }
+  const Tiles tiles{N};
+  const int threads = static_cast<int>(std::clamp<Eigen::Index>(law.threads, 1, tiles.count));
+  c = filled(at.scratch, r, factor, N, 6 * static_cast<std::size_t>(threads));
+  return add_tiles(add_pairs, pair, c, c.reaction_z + Scratch::stride(N), tiles, threads, energy);
+}
+
+// Rows with so many candidates are one piece of work.
+constexpr std::int64_t piece = 4096;
+
+std::vector<detail::Rows> pieces(const detail::Within& within) {
+  std::vector<detail::Rows> all;
+  std::int64_t candidates = 0;
+  for (std::int64_t i = 0, first = 0; i < within.N; ++i) {
+    candidates += within.first ? within.first[i + 1] - within.first[i] : within.N - 1 - i;
+    if (candidates < piece && i + 1 < within.N) continue;
+    all.push_back({.first = first, .last = i + 1, .noted = nullptr, .notes = 0});
+    first = i + 1, candidates = 0;
+  }
+  return all;
+}
+
+// The pairs within reach by several threads: reactions are noted, and then added in the order in which one thread
+// would.
+bool add_pieces(detail::AddPairsWithin add_pairs, const detail::PairForce& pair, const detail::Within& within,
+                const detail::Columns& c, int threads) {
+  std::vector<detail::Rows> rows = pieces(within);
+  threads = static_cast<int>(std::min(static_cast<std::size_t>(threads), rows.size()));
+  std::vector<std::vector<detail::Reaction>> notes(static_cast<std::size_t>(threads));
+  // A row more than a piece holds may be noted.
+  for (auto& of_thread : notes) of_thread.resize(static_cast<std::size_t>(piece + within.N));
+  bool full = true;
+#pragma omp parallel for ordered schedule(dynamic, 1) num_threads(threads) reduction(&& : full)
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    rows[k].noted = notes[static_cast<std::size_t>(this_thread())].data();
+    const bool all_full = add_pairs(pair, within, c, rows[k]);
+    full = full && all_full;
+#pragma omp ordered
+    for (const detail::Reaction* r = rows[k].noted; r != rows[k].noted + rows[k].notes; ++r) {
+      c.reaction_x[r->j] -= r->x, c.reaction_y[r->j] -= r->y, c.reaction_z[r->j] -= r->z;
+    }
+  }
+  return full;
+}
+
 // Forces of the pairs within reach, by the vectors of a kernel as well.
-bool add_within(const NearField& law, const detail::PairForce& pair, const kinematics::Space& space, const At<>& at,
-                const double* factor, Forces force) {
+bool add_within(const NearField& law, const kinematics::Space& space, const At<>& at, const double* factor,
+                Forces force) {
   const Eigen::Index N = at.mass.size();
   if (!at.position.allFinite()) return false;
   const Candidates near = candidates(law, space, at);
   const detail::Within within{.first = near.first,
                               .partner = near.partner,
+                              .N = N,
                               .cutoff = law.cutoff,
                               .taper = law.taper,
                               .lengths = {space.lengths.x(), space.lengths.y(), space.lengths.z()}};
-  const Kernel kernel = N <= detail::few ? Kernel::baseline : law.kernel == Kernel::best ? best_kernel() : law.kernel;
+  const detail::AddPairsWithin add_pairs = built(N <= detail::few ? Kernel::baseline : chosen(law)).within;
   const detail::Columns c = filled(at.scratch, at.position.data(), factor, N);
-  if (!built(kernel).within(pair, within, c, N)) return add_force<kinematics::Space>(law, space, at, force);
-  return add_components(c, N, force);
+  detail::Rows all{.first = 0, .last = N, .noted = nullptr, .notes = 0};
+  const bool full = law.threads > 1 && N > detail::few ? add_pieces(add_pairs, pair_force(law), within, c, law.threads)
+                                                       : add_pairs(pair_force(law), within, c, all);
+  return full ? add_components(c, N, force) : add_force<kinematics::Space>(law, space, at, force);
+}
+
+// Whether masses scale the forces, which are not copied.
+Eigen::VectorXd factors_but_masses(const NearField& law, const At<>& at) {
+  return law.scaling == Scaling::mass ? Eigen::VectorXd() : scaling_factors(law, at);
 }
 
 }  // namespace
 
 bool add_force(const NearField& law, const kinematics::Space& space, const At<>& at, Forces force) {
   if (!is_available(law.kernel)) throw std::invalid_argument(refusal(law.kernel));
-  const detail::PairForce pair{.alpha1 = law.alpha1, .alpha2 = law.alpha2, .beta1 = law.beta1, .beta2 = law.beta2};
   const Eigen::Index N = at.mass.size();
-  const Eigen::VectorXd other = law.scaling == Scaling::mass ? Eigen::VectorXd() : scaling_factors(law, at);
-  const double* const factor = law.scaling == Scaling::mass ? at.mass.data() : other.data();  // masses are not copied
-  if (std::isfinite(law.cutoff)) return add_within(law, pair, space, at, factor, force);
-  const double* const r = at.position.data();
-  double *const f_x = force.data(), *const f_y = f_x + N, *const f_z = f_y + N;
+  const Eigen::VectorXd other = factors_but_masses(law, at);
+  const double* const factor = law.scaling == Scaling::mass ? at.mass.data() : other.data();
+  if (std::isfinite(law.cutoff)) return add_within(law, space, at, factor, force);
   // Some pair may have no force, which matters only if it feels one.
   const auto add_those_that_feel = [&] { return add_force<kinematics::Space>(law, space, at, force); };
   if (N <= detail::few) {
     // By the baseline, so that a small scene has the same bits whatever the processor.
     const Eigen::Matrix<double, Eigen::Dynamic, 3, 0, detail::few, 3> before = force;
+    const double* const r = at.position.data();
+    double *const f_x = force.data(), *const f_y = f_x + N, *const f_z = f_y + N;
     const detail::Columns in_place{r, r + N, r + 2 * N, factor, f_x, f_y, f_z, f_x, f_y, f_z};
-    if (detail::add_pairs_baseline(pair, in_place, N)) return force.allFinite();
+    const detail::Block all{.row = in_place, .partner = in_place, .rows = N, .partners = N, .same = true};
+    if (detail::add_pairs_baseline(pair_force(law), all, nullptr)) return force.allFinite();
     force = before;
     return add_those_that_feel();
   }
-  const detail::AddPairs add_pairs = built(law.kernel == Kernel::best ? best_kernel() : law.kernel).all;
-  const detail::Columns c = filled(at.scratch, r, factor, N);
-  if (!add_pairs(pair, c, N)) return add_those_that_feel();
+  detail::Columns c{};
+  if (!add_many(law, at, factor, c, nullptr)) return add_those_that_feel();
   return add_components(c, N, force);
+}
+
+double potential_energy(const NearField& law, const kinematics::Space& space, const At<>& at) {
+  if (!is_available(law.kernel)) throw std::invalid_argument(refusal(law.kernel));
+  const auto pair_by_pair = [&] { return potential_energy<kinematics::Space>(law, space, at); };
+  if (std::isfinite(law.cutoff) || at.mass.size() <= detail::few || !at.position.allFinite()) return pair_by_pair();
+  const Eigen::VectorXd other = factors_but_masses(law, at);
+  detail::Columns c{};
+  double energy = 0.0;
+  const bool full = add_many(law, at, law.scaling == Scaling::mass ? at.mass.data() : other.data(), c, &energy);
+  return full ? energy : pair_by_pair();
+}
+
+bool add_force_and_energy(const NearField& law, const kinematics::Space& space, const At<>& at, Forces force,
+                          double& energy) {
+  const bool all_pairs = !std::isfinite(law.cutoff) && at.mass.size() > detail::few && is_available(law.kernel);
+  if (all_pairs) {
+    const Eigen::VectorXd other = factors_but_masses(law, at);
+    detail::Columns c{};
+    double sum = 0.0;
+    if (add_many(law, at, law.scaling == Scaling::mass ? at.mass.data() : other.data(), c, &sum)) {
+      energy += sum;
+      return add_components(c, at.mass.size(), force);
+    }
+  }
+  energy += potential_energy<kinematics::Space>(law, space, at);
+  return add_force(law, space, at, force);
 }
 
 }  // namespace particulate::laws

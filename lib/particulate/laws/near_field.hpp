@@ -53,14 +53,15 @@ Kernel best_kernel();
 struct NearField {
   double alpha1 = 0.0;              ///< attraction, >= 0 [N m^beta1 / kg^2]
   double alpha2 = 0.0;              ///< repulsion, >= 0 [N m^beta2 / kg^2]
-  double beta1 = 1.0;               ///< exponent of attraction, >= 0 [-]
-  double beta2 = 2.0;               ///< exponent of repulsion, >= 0 [-]
+  double beta1 = 1.0;               ///< exponent of attraction, >= -1: below 0 it grows with distance [-]
+  double beta2 = 2.0;               ///< exponent of repulsion, >= -1 [-]
   double d_ref = 1.0;               ///< distance at which a pair's potential energy is zero, > 0 [m]
   Scaling scaling = Scaling::mass;  ///< what the strengths are counted per; units of the strengths follow it
   Kernel kernel = Kernel::best;     ///< what adds the forces in Space
   /// d_c, at which the force ends; infinite: nowhere [m]
   double cutoff = std::numeric_limits<double>::infinity();
   double taper = 0.0;  ///< w, over which it ends, up to d_c; 0: at once [m]
+  int threads = 1;     ///< that share the pairs in Space, 1 to 1024; the same bits for any number [-]
 };
 
 /// How much is left of the force of a near field that is cut off.
@@ -167,10 +168,16 @@ Candidates candidates(const NearField& law, const kinematics::Space& domain, con
 /// @equation{M 2.3} One pass over the pairs j > i with both forces from one evaluation, so that the total force
 /// vanishes to rounding. Cost N (N - 1)/2 pairs. The law's kernel takes 2, 4 or 8 of them at once in vector registers;
 /// up to ten particles are taken pair by pair, with the same bits whatever the kernel. Exponents (1, 2) and (2, 3) have
-/// code of their own, other whole numbers up to 64 are formed by multiplication, any others by std::pow, entry by
-/// entry. The inverse distance is a rounded square root and a rounded division; avx512 refines the processor's estimate
-/// instead, and errs less. More than ten particles are copied into padded columns of the scene's scratch,
-/// 80 bytes a particle.
+/// code of their own, other whole numbers up to 64 are formed by multiplication, any others by one logarithm of the
+/// squared distance and two exponentials of its multiples: std::pow, entry by entry, takes up to ten particles alone. A
+/// pair errs by less than 1e-14 of the sum of its attraction and repulsion for exponents up to 13. The inverse distance
+/// of whole exponents is a rounded square root and a rounded division; avx512 refines the processor's estimate instead,
+/// and errs less. Distances with powers beyond some 1e+-240 are taken pair by pair. More than ten particles are copied
+/// into padded columns of the scene's scratch, 80 bytes a particle.
+///
+/// More than 256 particles are taken in blocks of so many against so many, which threads share if the library was built
+/// with OpenMP; each works on 48 bytes a particle of its own. Blocks are added in one order, so that the sums do not
+/// depend on how many threads there are.
 ///
 /// Where the near field is cut off the neighbours of each particle are searched, and only pairs within reach are
 /// evaluated, at a cost that grows with N. Sums are formed over those pairs alone, by ascending numbers.
@@ -206,9 +213,10 @@ bool add_force(const NearField& law, const D& domain, const At<>& at, Forces for
         return;
       }
       const double d = std::sqrt(square);
-      const double over_d = tapering(law, d) * strength(pair_law(law, factor[i], factor[j]), d) / d;
-      force.row(i) += over_d * towards.transpose();
-      force.row(j) -= over_d * towards.transpose();
+      // The unit vector first: over the distance a force may be too small or too large for a double.
+      const Eigen::Vector3d pull = tapering(law, d) * strength(pair_law(law, factor[i], factor[j]), d) * (towards / d);
+      force.row(i) += pull;
+      force.row(j) -= pull;
     });
   }
   return all_full && force.allFinite();
@@ -258,5 +266,37 @@ double potential_energy(const NearField& law, const D& domain, const At<>& at) {
   }
   return sum;
 }
+
+/// The same in space, of more than ten particles and without a cut-off by the law's kernel.
+///
+/// @equation{D 2.3} One logarithm of the squared distance and two exponentials, whatever the exponents; threads share
+/// the pairs as add_force() says. The same value as the general one to rounding.
+/// @param law     constants that validate() accepts
+/// @param domain  space
+/// @param at      the particles
+/// @return energy, as above [J]
+/// @throws std::invalid_argument if the law's kernel is not available
+double potential_energy(const NearField& law, const kinematics::Space& domain, const At<>& at);
+
+/// Adds the forces, and their potential energy, of all pairs: what add_force() and potential_energy() do, in space in
+/// one pass.
+///
+/// @equation{D 2.3}
+/// @param law     constants that validate() accepts
+/// @param domain  forms the separations
+/// @param at      the particles
+/// @param force   receives the forces, added to what it holds, as add_force() adds them [N]
+/// @param energy  receives the energy, added to what it holds [J]
+/// @return as add_force(); where false, forces and energy are meaningless
+/// @throws std::invalid_argument in space, if the law's kernel is not available
+template <kinematics::Domain D>
+bool add_force_and_energy(const NearField& law, const D& domain, const At<>& at, Forces force, double& energy) {
+  energy += potential_energy(law, domain, at);
+  return add_force(law, domain, at, force);
+}
+
+/// @copydoc add_force_and_energy
+bool add_force_and_energy(const NearField& law, const kinematics::Space& domain, const At<>& at, Forces force,
+                          double& energy);
 
 }  // namespace particulate::laws

@@ -8,9 +8,9 @@
 
 namespace particulate::laws::detail {
 
-// Strengths and exponents of attraction and repulsion, before scaling factors.
+// Strengths and exponents of attraction and repulsion, before scaling factors, and where a potential energy is zero.
 struct PairForce {
-  double alpha1, alpha2, beta1, beta2;
+  double alpha1, alpha2, beta1, beta2, d_ref;
 };
 
 // At<> and scaling factors of N particles, and where their forces go: a particle's action is the force that the
@@ -22,26 +22,51 @@ struct Columns {
   double *reaction_x, *reaction_y, *reaction_z;
 };
 
+// Some particles against others; or, where both are the same, against those behind them. The force on a row is an
+// action, that on a partner a reaction.
+struct Block {
+  Columns row, partner;
+  std::int64_t rows, partners;
+  bool same;
+};
+
 // Up to so many particles are taken pair by pair. The columns of more are read and written to the next multiple of
-// the second number, the longest vector register of any kernel: they must be padded with finite numbers.
+// the second number, the longest vector register of any kernel: they must be padded with finite numbers. Rows that meet
+// others must be as many as a multiple of it.
 constexpr std::int64_t few = 10;
 constexpr std::int64_t padded_to = 8;
 
-// Adds the forces of all pairs; false if a distance between two particles has no square that a double holds to full
-// precision.
-using AddPairs = bool (*)(const PairForce& law, const Columns& columns, std::int64_t N);
+// Adds the forces of all pairs of a block of more than a few, or of a few particles, and to an energy, if one is given,
+// their potential energy, for which these are too few. False if a distance has no square that a double holds to full
+// precision, or powers of it that come near the ends of what a double holds: products with them might be rounded to
+// nothing.
+using AddPairs = bool (*)(const PairForce& law, const Block& block, double* energy);
 
 // Which pairs may be within reach, and how the force ends there: the Candidates of Neighbours, the cut-off distance,
 // the width over which it is tapered, and the periods of space.
 struct Within {
   const std::uint32_t* first;
   const std::int32_t* partner;
+  std::int64_t N;
   double cutoff, taper;
   double lengths[3];
 };
 
-// The same for those pairs alone that are nearer than the cut-off distance. Columns need no padding.
-using AddPairsWithin = bool (*)(const PairForce& law, const Within& within, const Columns& columns, std::int64_t N);
+// What is yet to be added to the reactions of particle j.
+struct Reaction {
+  double x, y, z;
+  std::int64_t j;
+};
+
+// Rows, and where their reactions are noted, if not added at once; how many were.
+struct Rows {
+  std::int64_t first, last;
+  Reaction* noted;
+  std::int64_t notes;
+};
+
+// The same for those pairs alone that are nearer than the cut-off distance, of some rows. Columns need no padding.
+using AddPairsWithin = bool (*)(const PairForce& law, const Within& within, const Columns& columns, Rows& rows);
 
 // One for each set of instructions; null where this build has no such code.
 extern const AddPairs add_pairs_baseline;

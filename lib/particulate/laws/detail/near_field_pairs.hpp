@@ -34,6 +34,7 @@ static_assert(padded_to % lanes == 0 && lanes % rows == 0);
 
 using Vector __attribute__((vector_size(lanes * sizeof(double)))) = double;
 using Numbers __attribute__((vector_size(lanes * sizeof(double)))) = std::int64_t;
+using Bits __attribute__((vector_size(lanes * sizeof(double)))) = std::uint64_t;
 
 Vector load(const double* from) {
   Vector v{};
@@ -42,6 +43,18 @@ Vector load(const double* from) {
 }
 
 void store(Vector v, double* to) { std::memcpy(to, &v, sizeof v); }
+
+Bits bits_of(Vector v) {
+  Bits bits{};
+  std::memcpy(&bits, &v, sizeof bits);
+  return bits;
+}
+
+Vector of_bits(Bits bits) {
+  Vector v{};
+  std::memcpy(&v, &bits, sizeof v);
+  return v;
+}
 
 // The first entries of a Vector, or the last ones.
 template <int n>
@@ -76,13 +89,6 @@ Vector inverse_root(Vector x) {
 #endif
 }
 
-double real_power(double x, double exponent) { return std::pow(x, exponent); }
-
-Vector real_power(Vector x, double exponent) {
-  for (int k = 0; k < lanes; ++k) x[k] = std::pow(x[k], exponent);
-  return x;
-}
-
 // x^exponent for a whole number that is known when this is compiled: nothing but the products is left.
 template <int exponent, class V>
 V whole_power(V x) {
@@ -109,10 +115,13 @@ struct FixedPowers {
   }
 };
 
-// Powers with any exponents: by multiplication where they are whole, in the order kinematics::power uses.
-class AnyPowers {
+bool is_whole(double exponent) { return exponent >= 0.0 && exponent <= 64.0 && exponent == std::floor(exponent); }
+
+// Powers with other whole exponents, by multiplication in the order kinematics::power uses.
+class WholePowers {
  public:
-  explicit AnyPowers(const PairForce& law) : beta1_(exponent(law.beta1)), beta2_(exponent(law.beta2)) {}
+  explicit WholePowers(const PairForce& law)
+      : beta1_(static_cast<int>(law.beta1)), beta2_(static_cast<int>(law.beta2)) {}
 
   template <class V>
   V first(V inverse) const {
@@ -124,28 +133,129 @@ class AnyPowers {
   }
 
  private:
-  struct Exponent {
-    double value;
-    int whole;  // -1 if it is not, or is large
-  };
-
-  static Exponent exponent(double value) {
-    constexpr double largest = 64.0;
-    return {value, value <= largest && value == std::floor(value) ? static_cast<int>(value) : -1};
-  }
-
   template <class V>
-  static V power(V x, const Exponent& exponent) {
-    if (exponent.whole < 0) return real_power(x, exponent.value);
+  static V power(V x, int exponent) {
     V product = V{} + 1.0;
-    for (int left = exponent.whole; left > 0; left /= 2) {
+    for (int left = exponent; left > 0; left /= 2) {
       if (left % 2 == 1) product *= x;
       x *= x;
     }
     return product;
   }
 
-  Exponent beta1_, beta2_;
+  int beta1_, beta2_;
+};
+
+// A binary logarithm in two parts that need not be added: a whole number and what is left, -1/2 to 1/2.
+struct Logarithm {
+  Vector whole, rest;
+};
+
+// A minimax polynomial, found in 40 digits. Even and odd terms are summed apart, because what is waited for are chains
+// of products. Coefficients are kept as wide as registers are: constants would be widened again for every product.
+template <int n>
+class Polynomial {
+ public:
+  explicit Polynomial(const double (&coefficient)[n]) {
+    for (int k = 0; k < n; ++k) coefficient_[k] = Vector{} + coefficient[k];
+  }
+
+  Vector operator()(Vector x) const {
+    const Vector square = x * x;
+    Vector last = coefficient_[n - 1], before = coefficient_[n - 2];
+#pragma GCC unroll 16
+    for (int k = n - 3; k >= 0; k -= 2) {
+      last = last * square + coefficient_[k];
+      if (k > 0) before = before * square + coefficient_[k - 1];
+    }
+    return n % 2 == 1 ? before * x + last : last * x + before;
+  }
+
+ private:
+  Vector coefficient_[n];
+};
+
+// Of normal positive numbers x = 2^k m, sqrt(1/2) < m < sqrt(2): log2 m = 2/ln 2 artanh z with z = (m - 1)/(m + 1), to
+// 1.8e-16 of itself: a term more would gain nothing. The exponent becomes a double as the last digits of a number that
+// is large enough.
+class Log2 {
+ public:
+  Logarithm operator()(Vector x) const {
+    constexpr std::uint64_t one = 0x3ff0000000000000, root = 0x3fe6a09e667f3bcd, digits = 0x000fffffffffffff;
+    const Bits above = bits_of(x) + (one - root);
+    const Vector whole = of_bits((above >> 52) | 0x4330000000000000) - (0x1p52 + 1023.0);
+    const Vector m = of_bits((above & digits) + root);
+    const Vector z = (m - 1.0) / (m + 1.0);
+    return {whole, z * series_(z * z)};
+  }
+
+ private:
+  Polynomial<7> series_{{2.885390081777927319, 0.96179669392430432448, 0.57707801725944989881, 0.41219839998190601164,
+                         0.32061653426060250134, 0.26143951303894917997, 0.24297337509311963366}};
+};
+
+// Powers x^e from log2 x. The product of e and the logarithm's whole part would lose digits, a hundred times eps where
+// it is a hundred; so its head, e to 40 digits times the whole part, is formed exactly.
+class Power {
+ public:
+  // Of exponent (one + beta)/2, which is rounded; what rounding takes is added to the tail.
+  Power(double one, double beta) {
+    const double sum = one + beta, from_beta = sum - one, exponent = 0.5 * sum;
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, &exponent, sizeof bits);
+    bits &= ~std::uint64_t{0x1fff};
+    double head = 0.0;
+    std::memcpy(&head, &bits, sizeof bits);
+    exponent_ += exponent, head_ += head;
+    tail_ += (exponent - head) + 0.5 * ((one - (sum - from_beta)) + (beta - from_beta));
+  }
+
+  Vector operator()(const Logarithm& log) const {
+    const Split s = split(log);
+    return of_bits(bits_of(1.0 + s.growth) + s.exponent);
+  }
+
+  // The power less 1, to full precision where it is small.
+  Vector minus_one(const Logarithm& log) const {
+    const Split s = split(log);
+    const Vector scale = of_bits(bits_of(Vector{} + 1.0) + s.exponent);
+    return scale * s.growth + (scale - 1.0);
+  }
+
+ private:
+  // 2^y = 2^n (1 + growth), n the whole number next to y, in the digits of an exponent.
+  struct Split {
+    Bits exponent;
+    Vector growth;
+  };
+
+  // 2^r - 1 to 2.3e-16 of 2^r. Added to a large number, y is rounded to n: not with -ffast-math.
+  Split split(const Logarithm& log) const {
+    constexpr double large = 0x1.8p52;
+    const Vector head = head_ * log.whole, tail = tail_ * log.whole + exponent_ * log.rest;
+    const Vector shifted = (head + tail) + large;
+    const Vector r = (head - (shifted - large)) + tail;
+    return {bits_of(shifted) << 52, r * growth_(r)};
+  }
+
+  Vector exponent_{}, head_{}, tail_{};
+  Polynomial<10> growth_{{0.69314718055994925189, 0.24022650695909082214, 0.055504108664476421254,
+                          0.0096181291079887996464, 0.0013333558226747627094, 0.00015403529989479496921,
+                          0.000015252658835720843417, 1.321565491468666873e-6, 1.0208443306486076687e-7,
+                          7.0381153069630100004e-9}};
+};
+
+// Powers with any exponents. Those of a Vector are taken over the distance, from one logarithm of its square.
+struct RealPowers {
+  explicit RealPowers(const PairForce& law)
+      : beta1(law.beta1), beta2(law.beta2), over_d1(-1.0, -law.beta1), over_d2(-1.0, -law.beta2) {}
+
+  double first(double inverse) const { return std::pow(inverse, beta1); }
+  double second(double inverse) const { return std::pow(inverse, beta2); }
+
+  double beta1, beta2;
+  Log2 log2;
+  Power over_d1, over_d2;
 };
 
 // Particle i with what its force is multiplied by.
@@ -165,6 +275,55 @@ V force_over_distance(const Powers& powers, const Row& row, V factor, V square) 
   return strength * (factor * inverse);
 }
 
+Vector force_over_distance(const RealPowers& powers, const Row& row, Vector factor, Vector square) {
+  const Logarithm log = powers.log2(square);
+  return factor * (row.alpha1 * powers.over_d1(log) - row.alpha2 * powers.over_d2(log));
+}
+
+// No potential energy is asked for, and no code for it is left.
+struct NoEnergy {
+  explicit NoEnergy(const PairForce&) {}
+  void add(const Row&, Vector, Vector) {}
+  double total() const { return 0.0; }
+};
+
+// Sum of potential energies: of either power the integral of x^-beta from d_ref to the distance. See potential() of a
+// central force.
+class Energy {
+ public:
+  explicit Energy(const PairForce& law)
+      : first_(law.beta1, law.d_ref), second_(law.beta2, law.d_ref), reference_(log2_(Vector{} + law.d_ref)) {}
+
+  void add(const Row& row, Vector factor, Vector square) {
+    const Logarithm log = log2_(square);
+    const Logarithm ratio{log.whole - 2.0 * reference_.whole, log.rest - 2.0 * reference_.rest};
+    sum_ += factor * (row.alpha1 * first_(ratio) - row.alpha2 * second_(ratio));
+  }
+  double total() const { return sum(sum_); }
+
+ private:
+  class Integral {
+   public:
+    Integral(double beta, double d_ref) : power_(1.0, -beta), is_logarithm_(beta == 1.0) {
+      constexpr double half_ln2 = 0.34657359027997264;
+      factor_ = is_logarithm_ ? half_ln2 : std::pow(d_ref, 1.0 - beta) / (1.0 - beta);
+    }
+    Vector operator()(const Logarithm& ratio) const {
+      return factor_ * (is_logarithm_ ? ratio.whole + ratio.rest : power_.minus_one(ratio));
+    }
+
+   private:
+    Power power_;
+    bool is_logarithm_;
+    double factor_;
+  };
+
+  Log2 log2_;
+  Integral first_, second_;
+  Logarithm reference_;
+  Vector sum_{};
+};
+
 // Smallest and largest square of a distance so far.
 template <class V>
 struct Range {
@@ -176,13 +335,28 @@ struct Range {
   }
 };
 
-// See is_full() of the near field.
-bool is_full(const Range<double>& range) { return range.smallest >= DBL_MIN && range.largest <= DBL_MAX; }
+// The least p for which x lies between 2^-p and 2^p.
+double powers_of_two(double x) {
+  std::uint64_t bits = 0;
+  std::memcpy(&bits, &x, sizeof bits);
+  const double below = static_cast<double>(bits >> 52) - 1023.0;
+  return below < 0.0 ? -below : below + (bits << 12 == 0 ? 0.0 : 1.0);
+}
 
-bool is_full(const Range<Vector>& range) {
-  bool all = true;
-  for (int k = 0; k < lanes; ++k) all = all && is_full(Range<double>{range.smallest[k], range.largest[k]});
-  return all;
+// See is_full() of the near field; and powers of the distances, over a distance where energies are asked for, are so
+// far from the ends of what a double holds that products with strengths lose nothing.
+bool is_full(const PairForce& law, double from, const Range<double>& range) {
+  if (!(range.smallest >= DBL_MIN && range.largest <= DBL_MAX && from >= DBL_MIN)) return false;
+  const double low = powers_of_two(range.smallest), high = powers_of_two(range.largest);
+  const double most = (low > high ? low : high) + 2.0 * powers_of_two(from);
+  constexpr double far = 800.0;
+  return 0.5 * (1.0 + std::fabs(law.beta1)) * most <= far && 0.5 * (1.0 + std::fabs(law.beta2)) * most <= far;
+}
+
+bool is_full(const PairForce& law, double from, const Range<Vector>& range) {
+  Range<double> all;
+  for (int k = 0; k < lanes; ++k) all.include(range.smallest[k]), all.include(range.largest[k]);
+  return is_full(law, from, all);
 }
 
 struct Sums {
@@ -191,9 +365,9 @@ struct Sums {
 
 // The rows from particle i on against the partners from j on. Where some are no pair, because j <= i or j >= N, they
 // are given distance 1 and factor 0.
-template <bool some_are_no_pair, class Powers>
+template <bool some_are_no_pair, class Powers, class E>
 void meet(const Powers& powers, const Columns& c, const Row* row, std::int64_t i, std::int64_t j, std::int64_t N,
-          Sums* action, Range<Vector>& range) {
+          Sums* action, Range<Vector>& range, E& energy) {
   const Vector x = load(c.x + j), y = load(c.y + j), z = load(c.z + j), factor = load(c.factor + j);
   Vector reaction_x = load(c.reaction_x + j), reaction_y = load(c.reaction_y + j), reaction_z = load(c.reaction_z + j);
 #pragma GCC unroll 4
@@ -208,6 +382,7 @@ void meet(const Powers& powers, const Columns& c, const Row* row, std::int64_t i
       partner = is_pair ? factor : Vector{};
     }
     range.include(square);
+    energy.add(row[k], partner, square);
     const Vector over_d = force_over_distance(powers, row[k], partner, square);
     action[k].x += over_d * dx, action[k].y += over_d * dy, action[k].z += over_d * dz;
     reaction_x -= over_d * dx, reaction_y -= over_d * dy, reaction_z -= over_d * dz;
@@ -215,23 +390,29 @@ void meet(const Powers& powers, const Columns& c, const Row* row, std::int64_t i
   store(reaction_x, c.reaction_x + j), store(reaction_y, c.reaction_y + j), store(reaction_z, c.reaction_z + j);
 }
 
-// The rows from particle i on against all partners behind them. Flattened: everything above becomes part of it, and
-// rows and sums stay in registers.
-template <class Powers>
-__attribute__((flatten)) void add_rows(const Powers& powers, const PairForce& law, const Columns& c, std::int64_t i,
-                                       std::int64_t N, Range<Vector>& range) {
+// The rows from particle i on against all their partners. Flattened: everything above becomes part of it, and rows and
+// sums stay in registers.
+template <class Powers, class E>
+__attribute__((flatten)) void add_rows(const Powers& powers, const PairForce& law, const Block& block, std::int64_t i,
+                                       Range<Vector>& range, E& energy) {
+  const Columns &own = block.row, &c = block.partner;
+  const std::int64_t N = block.partners, before = block.same ? i : -rows;  // partners that are no pairs
   Row row[rows];
   Sums action[rows];
   Range<Vector> seen = range;
-  for (int k = 0; k < rows; ++k) row[k] = row_of(law, c, i + k);
-  std::int64_t j = i / lanes * lanes;
-  meet<true>(powers, c, row, i, j, N, action, seen);
-  for (j += lanes; j + lanes <= N; j += lanes) meet<false>(powers, c, row, i, j, N, action, seen);
-  if (j < N) meet<true>(powers, c, row, i, j, N, action, seen);
+  for (int k = 0; k < rows; ++k) row[k] = row_of(law, own, i + k);
+  std::int64_t j = 0;
+  if (block.same) {
+    j = i / lanes * lanes;
+    meet<true>(powers, c, row, before, j, N, action, seen, energy);
+    j += lanes;
+  }
+  for (; j + lanes <= N; j += lanes) meet<false>(powers, c, row, before, j, N, action, seen, energy);
+  if (j < N) meet<true>(powers, c, row, before, j, N, action, seen, energy);
   for (int k = 0; k < rows; ++k) {
-    c.action_x[i + k] += sum(action[k].x);
-    c.action_y[i + k] += sum(action[k].y);
-    c.action_z[i + k] += sum(action[k].z);
+    own.action_x[i + k] += sum(action[k].x);
+    own.action_y[i + k] += sum(action[k].y);
+    own.action_z[i + k] += sum(action[k].z);
   }
   range = seen;
 }
@@ -254,22 +435,37 @@ void add_row(const Powers& powers, const PairForce& law, const Columns& c, std::
 }
 
 template <class Powers>
-bool add_all(const Powers& powers, const PairForce& law, const Columns& c, std::int64_t N) {
-  if (N <= few) {
-    Range<double> range;
-    for (std::int64_t i = 0; i < N; ++i) add_row(powers, law, c, i, N, range);
-    return is_full(range);
-  }
-  Range<Vector> range;
-  for (std::int64_t i = 0; i < N; i += rows) add_rows(powers, law, c, i, N, range);
-  return is_full(range);
+bool add_few(const Powers& powers, const PairForce& law, const Columns& c, std::int64_t N) {
+  Range<double> range;
+  for (std::int64_t i = 0; i < N; ++i) add_row(powers, law, c, i, N, range);
+  return is_full(law, 1.0, range);
 }
 
-// The exponents that are met most have code of their own.
-bool add_pairs(const PairForce& law, const Columns& c, std::int64_t N) {
-  if (law.beta1 == 1.0 && law.beta2 == 2.0) return add_all(FixedPowers<1, 2>{}, law, c, N);
-  if (law.beta1 == 2.0 && law.beta2 == 3.0) return add_all(FixedPowers<2, 3>{}, law, c, N);
-  return add_all(AnyPowers(law), law, c, N);
+template <class E, class Powers>
+bool add_many(const Powers& powers, const PairForce& law, const Block& block, double* total) {
+  Range<Vector> range;
+  E energy(law);
+  for (std::int64_t i = 0; i < block.rows; i += rows) add_rows(powers, law, block, i, range, energy);
+  if (total) *total += energy.total();
+  return is_full(law, total ? law.d_ref : 1.0, range);
+}
+
+template <class Powers>
+bool add_all(const Powers& powers, const PairForce& law, const Block& block, double* energy) {
+  if (block.same && block.rows <= few) return add_few(powers, law, block.row, block.rows);
+  return energy ? add_many<Energy>(powers, law, block, energy) : add_many<NoEnergy>(powers, law, block, nullptr);
+}
+
+// Calls add with the powers of a law. The exponents that are met most have code of their own.
+template <class Add>
+bool by_powers(const PairForce& law, const Add& add) {
+  if (law.beta1 == 1.0 && law.beta2 == 2.0) return add(FixedPowers<1, 2>{});
+  if (law.beta1 == 2.0 && law.beta2 == 3.0) return add(FixedPowers<2, 3>{});
+  return is_whole(law.beta1) && is_whole(law.beta2) ? add(WholePowers(law)) : add(RealPowers(law));
+}
+
+bool add_pairs(const PairForce& law, const Block& block, double* energy) {
+  return by_powers(law, [&](const auto& powers) { return add_all(powers, law, block, energy); });
 }
 
 // How a force ends at its cut-off distance: by a factor of 1 - u^2 (3 - 2 u), u from 0 to 1 over the taper's width.
@@ -306,7 +502,7 @@ struct Met {
 // sums do not depend on which others were candidates.
 template <class Powers>
 __attribute__((flatten)) void meet_within(const Powers& powers, const Taper& taper, const Row& row, const Columns& c,
-                                          Met& met, Sums& action, Range<Vector>& range) {
+                                          Met& met, Sums& action, Range<Vector>& range, Rows& noting) {
   for (int k = met.n; k % lanes != 0; ++k) met.dx[k] = met.dy[k] = met.dz[k] = met.factor[k] = 0.0, met.square[k] = 1.0;
   for (int first = 0; first < met.n; first += lanes) {
     const Vector dx = load(met.dx + first), dy = load(met.dy + first), dz = load(met.dz + first);
@@ -319,6 +515,10 @@ __attribute__((flatten)) void meet_within(const Powers& powers, const Taper& tap
     const int used = met.n - first < lanes ? met.n - first : lanes;
     for (int lane = 0; lane < used; ++lane) {
       const std::int32_t j = met.number[first + lane];
+      if (noting.noted) {
+        noting.noted[noting.notes++] = {x[lane], y[lane], z[lane], j};
+        continue;
+      }
       c.reaction_x[j] -= x[lane], c.reaction_y[j] -= y[lane], c.reaction_z[j] -= z[lane];
     }
   }
@@ -326,13 +526,12 @@ __attribute__((flatten)) void meet_within(const Powers& powers, const Taper& tap
 }
 
 template <class Powers>
-bool add_all_within(const Powers& powers, const PairForce& law, const Within& within, const Columns& c,
-                    std::int64_t N) {
+bool add_all_within(const Powers& powers, const PairForce& law, const Within& within, const Columns& c, Rows& of) {
   const Taper taper(within);
   const double reach = within.cutoff * within.cutoff;
   Range<Vector> range;
   Met met;
-  for (std::int64_t i = 0; i < N; ++i) {
+  for (std::int64_t i = of.first; i < of.last; ++i) {
     const Row row = row_of(law, c, i);
     Sums action;
     const auto look_at = [&](std::int64_t j) {
@@ -342,23 +541,21 @@ bool add_all_within(const Powers& powers, const PairForce& law, const Within& wi
       met.dx[met.n] = dx, met.dy[met.n] = dy, met.dz[met.n] = dz, met.square[met.n] = square;
       met.factor[met.n] = c.factor[j], met.number[met.n] = static_cast<std::int32_t>(j);
       met.n += square < reach ? 1 : 0;
-      if (met.n == Met::most) meet_within(powers, taper, row, c, met, action, range);
+      if (met.n == Met::most) meet_within(powers, taper, row, c, met, action, range, of);
     };
     if (within.first) {
       for (std::uint32_t k = within.first[i]; k < within.first[i + 1]; ++k) look_at(within.partner[k]);
     } else {
-      for (std::int64_t j = i + 1; j < N; ++j) look_at(j);
+      for (std::int64_t j = i + 1; j < within.N; ++j) look_at(j);
     }
-    if (met.n > 0) meet_within(powers, taper, row, c, met, action, range);
+    if (met.n > 0) meet_within(powers, taper, row, c, met, action, range, of);
     c.action_x[i] += sum(action.x), c.action_y[i] += sum(action.y), c.action_z[i] += sum(action.z);
   }
-  return is_full(range);
+  return is_full(law, 1.0, range);
 }
 
-bool add_pairs_within(const PairForce& law, const Within& within, const Columns& c, std::int64_t N) {
-  if (law.beta1 == 1.0 && law.beta2 == 2.0) return add_all_within(FixedPowers<1, 2>{}, law, within, c, N);
-  if (law.beta1 == 2.0 && law.beta2 == 3.0) return add_all_within(FixedPowers<2, 3>{}, law, within, c, N);
-  return add_all_within(AnyPowers(law), law, within, c, N);
+bool add_pairs_within(const PairForce& law, const Within& within, const Columns& c, Rows& of) {
+  return by_powers(law, [&](const auto& powers) { return add_all_within(powers, law, within, c, of); });
 }
 
 }  // namespace
