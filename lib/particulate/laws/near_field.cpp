@@ -144,12 +144,12 @@ int this_thread() {
 
 // What detail::AddPairs does to one block, by threads; forces are columns behind those of all.
 bool add_tiles(detail::AddPairs add_pairs, const detail::PairForce& pair, const detail::Columns& all, double* forces,
-               const Tiles& tiles, int threads, double* energy) {
+               const Tiles& tiles, [[maybe_unused]] int threads, double* energy) {
   bool full = true;
   double sum = 0.0;
 #pragma omp parallel for ordered schedule(dynamic, 1) num_threads(threads) reduction(&& : full)
   for (Eigen::Index k = 0; k < tiles.count; ++k) {
-    const auto [row, partner] = tiles[k];
+    const Eigen::Index row = tiles[k].first, partner = tiles[k].second;
     double* const own = forces + 6 * edge * this_thread();
     std::fill_n(own, 6 * edge, 0.0);
     const detail::Block tile{.row = part(all, row, own),
