@@ -411,8 +411,7 @@ bool add_force(const NearField& law, const kinematics::Space& space, const At<>&
     const double* const r = at.position.data();
     double *const f_x = force.data(), *const f_y = f_x + N, *const f_z = f_y + N;
     const detail::Columns in_place{r, r + N, r + 2 * N, factor, f_x, f_y, f_z, f_x, f_y, f_z};
-    const detail::Block all{.row = in_place, .partner = in_place, .rows = N, .partners = N, .same = true};
-    if (detail::add_pairs_baseline(pair_force(law), all, nullptr)) return force.allFinite();
+    if (detail::add_few_pairs(pair_force(law), in_place, N)) return force.allFinite();
     force = before;
     return add_those_that_feel();
   }

@@ -30,17 +30,19 @@ struct Block {
   bool same;
 };
 
-// Up to so many particles are taken pair by pair. The columns of more are read and written to the next multiple of
-// the second number, the longest vector register of any kernel: they must be padded with finite numbers. Rows that meet
-// others must be as many as a multiple of it.
+// Up to so many particles are taken pair by pair, by the baseline. The columns of more are read and written to the next
+// multiple of the second number, the longest vector register of any kernel: they must be padded with finite numbers.
+// Rows that meet others must be as many as a multiple of it.
 constexpr std::int64_t few = 10;
 constexpr std::int64_t padded_to = 8;
 
-// Adds the forces of all pairs of a block of more than a few, or of a few particles, and to an energy, if one is given,
-// their potential energy, for which these are too few. False if a distance has no square that a double holds to full
-// precision, or powers of it that come near the ends of what a double holds: products with them might be rounded to
-// nothing.
+// Adds the forces of all pairs of a block, and to an energy, if one is given, their potential energy. False if a
+// distance has no square that a double holds to full precision, or powers of it that come near the ends of what a
+// double holds: products with them might be rounded to nothing.
 using AddPairs = bool (*)(const PairForce& law, const Block& block, double* energy);
+
+// The same of a few particles among themselves, without energy.
+bool add_few_pairs(const PairForce& law, const Columns& columns, std::int64_t N);
 
 // Which pairs may be within reach, and how the force ends there: the Candidates of Neighbours, the cut-off distance,
 // the width over which it is tapered, and the periods of space.

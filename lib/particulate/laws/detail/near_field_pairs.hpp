@@ -73,7 +73,7 @@ double sum(Short<n> v) {
   }
 }
 
-double inverse_root(double x) { return 1.0 / std::sqrt(x); }
+[[maybe_unused]] double inverse_root(double x) { return 1.0 / std::sqrt(x); }
 
 Vector inverse_root(Vector x) {
 #ifdef __AVX512F__
@@ -417,30 +417,6 @@ __attribute__((flatten)) void add_rows(const Powers& powers, const PairForce& la
   range = seen;
 }
 
-// The same for one particle and a handful of partners, without vector registers.
-template <class Powers>
-void add_row(const Powers& powers, const PairForce& law, const Columns& c, std::int64_t i, std::int64_t N,
-             Range<double>& range) {
-  const Row row = row_of(law, c, i);
-  double x = 0.0, y = 0.0, z = 0.0;
-  for (std::int64_t j = i + 1; j < N; ++j) {
-    const double dx = c.x[j] - row.x, dy = c.y[j] - row.y, dz = c.z[j] - row.z;
-    const double square = dx * dx + dy * dy + dz * dz;
-    range.include(square);
-    const double over_d = force_over_distance(powers, row, c.factor[j], square);
-    x += over_d * dx, y += over_d * dy, z += over_d * dz;
-    c.reaction_x[j] -= over_d * dx, c.reaction_y[j] -= over_d * dy, c.reaction_z[j] -= over_d * dz;
-  }
-  c.action_x[i] += x, c.action_y[i] += y, c.action_z[i] += z;
-}
-
-template <class Powers>
-bool add_few(const Powers& powers, const PairForce& law, const Columns& c, std::int64_t N) {
-  Range<double> range;
-  for (std::int64_t i = 0; i < N; ++i) add_row(powers, law, c, i, N, range);
-  return is_full(law, 1.0, range);
-}
-
 template <class E, class Powers>
 bool add_many(const Powers& powers, const PairForce& law, const Block& block, double* total) {
   Range<Vector> range;
@@ -448,12 +424,6 @@ bool add_many(const Powers& powers, const PairForce& law, const Block& block, do
   for (std::int64_t i = 0; i < block.rows; i += rows) add_rows(powers, law, block, i, range, energy);
   if (total) *total += energy.total();
   return is_full(law, total ? law.d_ref : 1.0, range);
-}
-
-template <class Powers>
-bool add_all(const Powers& powers, const PairForce& law, const Block& block, double* energy) {
-  if (block.same && block.rows <= few) return add_few(powers, law, block.row, block.rows);
-  return energy ? add_many<Energy>(powers, law, block, energy) : add_many<NoEnergy>(powers, law, block, nullptr);
 }
 
 // Calls add with the powers of a law. The exponents that are met most have code of their own.
@@ -465,7 +435,9 @@ bool by_powers(const PairForce& law, const Add& add) {
 }
 
 bool add_pairs(const PairForce& law, const Block& block, double* energy) {
-  return by_powers(law, [&](const auto& powers) { return add_all(powers, law, block, energy); });
+  return by_powers(law, [&](const auto& powers) {
+    return energy ? add_many<Energy>(powers, law, block, energy) : add_many<NoEnergy>(powers, law, block, nullptr);
+  });
 }
 
 // How a force ends at its cut-off distance: by a factor of 1 - u^2 (3 - 2 u), u from 0 to 1 over the taper's width.

@@ -1,0 +1,145 @@
+// What the near field's kernels cost: against std::pow pair by pair, against their own arithmetic without loads, with
+// the energy in the same pass, and by two threads. Each ratio is the median of pairs that alternate within this run.
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <functional>
+#include <utility>
+#include <vector>
+
+#include <fmt/core.h>
+
+#include <harness/near_field_cloud.hpp>
+#include <particulate/laws/detail/near_field_kernels.hpp>
+
+namespace laws = particulate::laws;
+using particulate::kinematics::Space;
+using particulate::kinematics::Vectors;
+
+double bare_baseline(const laws::detail::PairForce& law, std::int64_t N);
+#ifdef __x86_64__
+double bare_avx2(const laws::detail::PairForce& law, std::int64_t N);
+double bare_avx512(const laws::detail::PairForce& law, std::int64_t N);
+#endif
+
+namespace {
+
+using Work = std::function<void()>;
+
+double seconds(const Work& work, int times) {
+  const auto start = std::chrono::steady_clock::now();
+  for (int k = 0; k < times; ++k) work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / times;
+}
+
+double median(std::vector<double> of) {
+  std::nth_element(of.begin(), of.begin() + of.size() / 2, of.end());
+  return of[of.size() / 2];
+}
+
+struct Compared {
+  double one, ratio;  // seconds of one; of the other in units of it
+};
+
+Compared compare(const Work& one, const Work& other) {
+  constexpr int pairs = 9;
+  const int times = std::max(1, static_cast<int>(0.02 / seconds(one, 1)));
+  const int other_times = std::max(1, static_cast<int>(0.02 / seconds(other, 1)));
+  std::vector<double> first, ratio;
+  for (int k = 0; k < pairs; ++k) {
+    first.push_back(seconds(one, times));
+    ratio.push_back(seconds(other, other_times) / first.back());
+  }
+  return {median(first), median(ratio)};
+}
+
+class Field {
+ public:
+  Field(Eigen::Index N, laws::NearField law)
+      : particles_(verification::random_cloud({.N = N}, 1)),
+        inverse_mass_(particles_.mass.cwiseInverse()),
+        force_(Vectors::Zero(N, 3)),
+        law_(law) {}
+
+  void add() { laws::add_force(law_, Space{}, at(), force()); }
+  void add_energy() { sum_ += laws::potential_energy(law_, Space{}, at()); }
+  void add_both() { laws::add_force_and_energy(law_, Space{}, at(), force(), sum_); }
+  // Both forces of every pair from one evaluation.
+  void add_plainly() {
+    const Vectors& r = particles_.position;
+    for (Eigen::Index i = 0; i < r.rows(); ++i) {
+      for (Eigen::Index j = i + 1; j < r.rows(); ++j) {
+        const Eigen::Vector3d d = r.row(j) - r.row(i);
+        const double length = d.norm(), both = particles_.mass[i] * particles_.mass[j];
+        const double strength =
+            law_.alpha1 * both * std::pow(length, -law_.beta1) - law_.alpha2 * both * std::pow(length, -law_.beta2);
+        force_.row(i) += strength / length * d;
+        force_.row(j) -= strength / length * d;
+      }
+    }
+  }
+
+ private:
+  laws::At<> at() const {
+    return {.t = 0.0,
+            .position = Eigen::Map<const Vectors>(particles_.position.data(), particles_.size(), 3),
+            .mass = particles_.mass,
+            .radius = particles_.radius,
+            .inverse_mass = inverse_mass_,
+            .scratch = scratch_};
+  }
+  laws::Forces force() { return {force_.data(), force_.rows(), 3}; }
+
+  particulate::kinematics::Particles particles_;
+  Eigen::VectorXd inverse_mass_;
+  mutable laws::Scratch scratch_;
+  Vectors force_;
+  laws::NearField law_;
+  double sum_ = 0.0;
+};
+
+double bare(const laws::NearField& law, Eigen::Index N) {
+  const laws::detail::PairForce pair{law.alpha1, law.alpha2, law.beta1, law.beta2, law.d_ref};
+#ifdef __x86_64__
+  if (law.kernel == laws::Kernel::avx2) return bare_avx2(pair, N);
+  if (law.kernel == laws::Kernel::avx512) return bare_avx512(pair, N);
+#endif
+  return bare_baseline(pair, N);
+}
+
+}  // namespace
+
+int main() {
+  constexpr Eigen::Index N = 1000, many = 4000;
+  fmt::print("{:<10}{:<14}{:>14}{:>14}{:>14}{:>14}{:>14}\n", "kernel", "exponents", "ns a pair", "std::pow", "no loads",
+             "with energy", "energy apart");
+  volatile double kept = 0.0;
+  for (const laws::Kernel kernel : {laws::Kernel::baseline, laws::Kernel::avx2, laws::Kernel::avx512}) {
+    if (!laws::is_available(kernel)) continue;
+    for (const auto& [beta1, beta2] : {std::pair{1.0, 2.0}, {2.0, 3.0}, {7.0, 13.0}, {1.5, 2.5}, {-1.0, 2.0}}) {
+      const laws::NearField law{.alpha1 = 0.5, .alpha2 = 0.25, .beta1 = beta1, .beta2 = beta2, .kernel = kernel};
+      Field field(N, law);
+      const Compared plain = compare([&] { field.add(); }, [&] { field.add_plainly(); });
+      const Compared no_loads = compare([&] { field.add(); }, [&] { kept = bare(law, N); });
+      const Compared both = compare([&] { field.add(); }, [&] { field.add_both(); });
+      const Compared apart = compare([&] { field.add(); }, [&] { field.add_energy(); });
+      constexpr double pairs = 0.5 * N * (N - 1);
+      fmt::print("{:<10}({:g}, {:g}){:<{}}{:>14.2f}{:>14.2f}{:>14.2f}{:>14.2f}{:>14.2f}\n", laws::name(kernel), beta1,
+                 beta2, "", 14 - 4 - static_cast<int>(fmt::formatted_size("{:g}{:g}", beta1, beta2)),
+                 plain.one / pairs * 1e9, plain.ratio, no_loads.ratio, both.ratio, apart.ratio);
+    }
+  }
+  fmt::print("Columns from the fourth on: seconds in units of those of the force.\n\n");
+  for (const double cutoff : {std::numeric_limits<double>::infinity(), 3.0}) {
+    for (const auto& [beta1, beta2] : {std::pair{2.0, 3.0}, {1.5, 2.5}}) {
+      const laws::NearField law{.alpha1 = 0.5, .alpha2 = 0.25, .beta1 = beta1, .beta2 = beta2, .cutoff = cutoff};
+      laws::NearField shared = law;
+      shared.threads = 2;
+      Field one(many, law), two(many, shared);
+      const Compared threads = compare([&] { two.add(); }, [&] { one.add(); });
+      fmt::print("{} particles, ({:g}, {:g}), cutoff {:g} m: two threads are {:.2f} times as fast as one\n", many,
+                 beta1, beta2, cutoff, threads.ratio);
+    }
+  }
+}
