@@ -236,6 +236,22 @@ BOOST_AUTO_TEST_CASE(adds_the_potential_energies_of_its_laws) {
   BOOST_TEST(free.potential_energy(start(free)) == 0.0);
 }
 
+// As each alone: a near field in one pass, a weight after it.
+BOOST_AUTO_TEST_CASE(adds_forces_and_energies_at_once) {
+  Particles row{.position = Vectors::Zero(12, 3),
+                .velocity = Vectors::Zero(12, 3),
+                .mass = Eigen::VectorXd::Ones(12),
+                .radius = Eigen::VectorXd::Zero(12)};
+  row.position.col(0) = Eigen::VectorXd::LinSpaced(12, 0.0, 11.0);
+  row.position.col(2) = row.position.col(0).cwiseAbs2();
+  const Scene scene(row, Space{}, monograph, Weight{2.0});
+  Eigen::VectorXd f(36);
+  double energy = not_a_number;
+  BOOST_TEST(scene.total_force(start(scene), f, energy));
+  BOOST_TEST((f == total_force(scene)));
+  BOOST_TEST(energy == scene.potential_energy(start(scene)), tolerance(1e-14));
+}
+
 // (3, 4, 0) and (0, 0, 2): 5 + 2. A flat norm would make sqrt 29 or 9 of it.
 BOOST_AUTO_TEST_CASE(measures_by_the_sum_over_particles) {
   const Scene scene(two_particles(), Space{});

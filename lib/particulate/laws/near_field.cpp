@@ -10,9 +10,6 @@
 #include <vector>
 
 #include <fmt/format.h>
-#ifdef _OPENMP
-#include <omp.h>
-#endif
 
 #include <particulate/laws/detail/near_field_kernels.hpp>
 
@@ -65,10 +62,9 @@ std::string refusal(Kernel kernel) {
 
 static_assert(detail::padded_to == Scratch::line);
 
-// The columns of a scene's scratch, filled, and more behind them.
-detail::Columns filled(Scratch& scratch, const double* position, const double* factor, Eigen::Index N,
-                       std::size_t more = 0) {
-  double* const first = scratch.columns(10 + more, N);
+// The columns of a scene's scratch, filled.
+detail::Columns filled(Scratch& scratch, const double* position, const double* factor, Eigen::Index N) {
+  double* const first = scratch.columns(10, N);
   const std::size_t stride = Scratch::stride(N);
   const auto column = [&](std::size_t k) { return first + k * stride; };
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -87,86 +83,49 @@ detail::Columns filled(Scratch& scratch, const double* position, const double* f
           .reaction_z = column(9)};
 }
 
-// All pairs of many particles in tiles: so many against so many others, then so many among themselves, which is half
-// the work. The order in which tiles are added is theirs, whoever works on them.
-constexpr Eigen::Index edge = 256;
+// All pairs of many particles in blocks of so many against so many.
+constexpr Eigen::Index edge = 512;
 static_assert(edge % detail::padded_to == 0);
 
-struct Tiles {
-  Eigen::Index N, edges = (N + edge - 1) / edge, mixed = edges * (edges - 1) / 2, count = mixed + edges;
-
-  // Where rows and partners of one begin.
-  std::pair<Eigen::Index, Eigen::Index> operator[](Eigen::Index k) const {
-    if (k >= mixed) return {(k - mixed) * edge, (k - mixed) * edge};
-    Eigen::Index row = 0;
-    for (; k >= edges - 1 - row; ++row) k -= edges - 1 - row;
-    return {row * edge, (row + 1 + k) * edge};
-  }
-  Eigen::Index size(Eigen::Index first) const { return std::min(edge, N - first); }
-};
-
-// Particles of a tile, from the first one on, with six columns of forces of their own.
-detail::Columns part(const detail::Columns& all, Eigen::Index first, double* own) {
+// Particles from the first one on.
+detail::Columns part(const detail::Columns& all, Eigen::Index first) {
   return {.x = all.x + first,
           .y = all.y + first,
           .z = all.z + first,
           .factor = all.factor + first,
-          .action_x = own,
-          .action_y = own + edge,
-          .action_z = own + 2 * edge,
-          .reaction_x = own + 3 * edge,
-          .reaction_y = own + 4 * edge,
-          .reaction_z = own + 5 * edge};
+          .action_x = all.action_x + first,
+          .action_y = all.action_y + first,
+          .action_z = all.action_z + first,
+          .reaction_x = all.reaction_x + first,
+          .reaction_y = all.reaction_y + first,
+          .reaction_z = all.reaction_z + first};
 }
 
-void add_to(double* sum, const double* part, Eigen::Index n) {
-#pragma omp simd
-  for (Eigen::Index i = 0; i < n; ++i) sum[i] += part[i];
-}
-
-// Adds what a tile found.
-void add_tile(const detail::Columns& all, const detail::Block& tile, Eigen::Index row, Eigen::Index partner) {
-  add_to(all.action_x + row, tile.row.action_x, tile.rows);
-  add_to(all.action_y + row, tile.row.action_y, tile.rows);
-  add_to(all.action_z + row, tile.row.action_z, tile.rows);
-  add_to(all.reaction_x + partner, tile.partner.reaction_x, tile.partners);
-  add_to(all.reaction_y + partner, tile.partner.reaction_y, tile.partners);
-  add_to(all.reaction_z + partner, tile.partner.reaction_z, tile.partners);
-}
-
-int this_thread() {
-#ifdef _OPENMP
-  return omp_get_thread_num();
-#else
-  return 0;
-#endif
-}
-
-// What detail::AddPairs does to one block, by threads; forces are columns behind those of all.
-bool add_tiles(detail::AddPairs add_pairs, const detail::PairForce& pair, const detail::Columns& all, double* forces,
-               const Tiles& tiles, [[maybe_unused]] int threads, double* energy) {
+// Blocks meet in rounds: in each every block of particles meets one other, or itself, so that threads write nothing of
+// each other's, and sums are formed in the order of the rounds, however many threads there are.
+bool add_in_rounds(detail::AddPairs add_pairs, const detail::PairForce& pair, const detail::Columns& all,
+                   Eigen::Index N, int threads, double* energy) {
+  const Eigen::Index blocks = (N + edge - 1) / edge;
+  std::vector<double> found(energy ? static_cast<std::size_t>(blocks * blocks) : 0);
+  threads = static_cast<int>(std::clamp<Eigen::Index>(threads, 1, (blocks + 1) / 2));
   bool full = true;
-  double sum = 0.0;
-#pragma omp parallel for ordered schedule(dynamic, 1) num_threads(threads) reduction(&& : full)
-  for (Eigen::Index k = 0; k < tiles.count; ++k) {
-    const Eigen::Index row = tiles[k].first, partner = tiles[k].second;
-    double* const own = forces + 6 * edge * this_thread();
-    std::fill_n(own, 6 * edge, 0.0);
-    const detail::Block tile{.row = part(all, row, own),
-                             .partner = part(all, partner, own),
-                             .rows = tiles.size(row),
-                             .partners = tiles.size(partner),
-                             .same = row == partner};
-    double found = 0.0;
-    const bool all_full = add_pairs(pair, tile, energy ? &found : nullptr);
-    full = full && all_full;
-#pragma omp ordered
-    {
-      add_tile(all, tile, row, partner);
-      sum += found;
+#pragma omp parallel num_threads(threads) reduction(&& : full) if (threads > 1)
+  for (Eigen::Index round = 0; round < blocks; ++round) {
+#pragma omp for schedule(dynamic, 1)
+    for (Eigen::Index row = 0; row < blocks; ++row) {
+      const Eigen::Index partner = (round + blocks - row) % blocks;
+      if (partner < row) continue;
+      const detail::Block block{.row = part(all, row * edge),
+                                .partner = part(all, partner * edge),
+                                .rows = std::min(edge, N - row * edge),
+                                .partners = std::min(edge, N - partner * edge),
+                                .same = row == partner};
+      const bool all_full =
+          add_pairs(pair, block, energy ? &found[static_cast<std::size_t>(round * blocks + row)] : nullptr);
+      full = full && all_full;
     }
   }
-  if (energy) *energy += sum;
+  for (const double of_block : found) *energy += of_block;
   return full;
 }
 
@@ -326,48 +285,8 @@ bool add_many(const NearField& law, const At<>& at, const double* factor, detail
     c = filled(at.scratch, r, factor, N);
     return add_pairs(pair, {.row = c, .partner = c, .rows = N, .partners = N, .same = true}, energy);
   }
-  const Tiles tiles{N};
-  const int threads = static_cast<int>(std::clamp<Eigen::Index>(law.threads, 1, tiles.count));
-  c = filled(at.scratch, r, factor, N, 6 * static_cast<std::size_t>(threads));
-  return add_tiles(add_pairs, pair, c, c.reaction_z + Scratch::stride(N), tiles, threads, energy);
-}
-
-// Rows with so many candidates are one piece of work.
-constexpr std::int64_t piece = 4096;
-
-std::vector<detail::Rows> pieces(const detail::Within& within) {
-  std::vector<detail::Rows> all;
-  std::int64_t candidates = 0;
-  for (std::int64_t i = 0, first = 0; i < within.N; ++i) {
-    candidates += within.first ? within.first[i + 1] - within.first[i] : within.N - 1 - i;
-    if (candidates < piece && i + 1 < within.N) continue;
-    all.push_back({.first = first, .last = i + 1, .noted = nullptr, .notes = 0});
-    first = i + 1, candidates = 0;
-  }
-  return all;
-}
-
-// The pairs within reach by several threads: reactions are noted, and then added in the order in which one thread
-// would.
-bool add_pieces(detail::AddPairsWithin add_pairs, const detail::PairForce& pair, const detail::Within& within,
-                const detail::Columns& c, int threads) {
-  std::vector<detail::Rows> rows = pieces(within);
-  threads = static_cast<int>(std::min(static_cast<std::size_t>(threads), rows.size()));
-  std::vector<std::vector<detail::Reaction>> notes(static_cast<std::size_t>(threads));
-  // A row more than a piece holds may be noted.
-  for (auto& of_thread : notes) of_thread.resize(static_cast<std::size_t>(piece + within.N));
-  bool full = true;
-#pragma omp parallel for ordered schedule(dynamic, 1) num_threads(threads) reduction(&& : full)
-  for (std::size_t k = 0; k < rows.size(); ++k) {
-    rows[k].noted = notes[static_cast<std::size_t>(this_thread())].data();
-    const bool all_full = add_pairs(pair, within, c, rows[k]);
-    full = full && all_full;
-#pragma omp ordered
-    for (const detail::Reaction* r = rows[k].noted; r != rows[k].noted + rows[k].notes; ++r) {
-      c.reaction_x[r->j] -= r->x, c.reaction_y[r->j] -= r->y, c.reaction_z[r->j] -= r->z;
-    }
-  }
-  return full;
+  c = filled(at.scratch, r, factor, N);
+  return add_in_rounds(add_pairs, pair, c, N, law.threads, energy);
 }
 
 // Forces of the pairs within reach, by the vectors of a kernel as well.
@@ -384,10 +303,8 @@ bool add_within(const NearField& law, const kinematics::Space& space, const At<>
                               .lengths = {space.lengths.x(), space.lengths.y(), space.lengths.z()}};
   const detail::AddPairsWithin add_pairs = built(N <= detail::few ? Kernel::baseline : chosen(law)).within;
   const detail::Columns c = filled(at.scratch, at.position.data(), factor, N);
-  detail::Rows all{.first = 0, .last = N, .noted = nullptr, .notes = 0};
-  const bool full = law.threads > 1 && N > detail::few ? add_pieces(add_pairs, pair_force(law), within, c, law.threads)
-                                                       : add_pairs(pair_force(law), within, c, all);
-  return full ? add_components(c, N, force) : add_force<kinematics::Space>(law, space, at, force);
+  return add_pairs(pair_force(law), within, c) ? add_components(c, N, force)
+                                               : add_force<kinematics::Space>(law, space, at, force);
 }
 
 // Whether masses scale the forces, which are not copied.

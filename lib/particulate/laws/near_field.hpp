@@ -61,7 +61,7 @@ struct NearField {
   /// d_c, at which the force ends; infinite: nowhere [m]
   double cutoff = std::numeric_limits<double>::infinity();
   double taper = 0.0;  ///< w, over which it ends, up to d_c; 0: at once [m]
-  int threads = 1;     ///< that share the pairs in Space, 1 to 1024; the same bits for any number [-]
+  int threads = 1;     ///< that share all pairs in Space, 1 to 1024; the same bits for any number [-]
 };
 
 /// How much is left of the force of a near field that is cut off.
@@ -175,12 +175,11 @@ Candidates candidates(const NearField& law, const kinematics::Space& domain, con
 /// and errs less. Distances with powers beyond some 1e+-240 are taken pair by pair. More than ten particles are copied
 /// into padded columns of the scene's scratch, 80 bytes a particle.
 ///
-/// More than 256 particles are taken in blocks of so many against so many, which threads share if the library was built
-/// with OpenMP; each works on 48 bytes a particle of its own. Blocks are added in one order, so that the sums do not
-/// depend on how many threads there are.
+/// More than 512 particles are taken in blocks of so many against so many, in rounds in which every block meets one
+/// other: threads share a round, if the library was built with OpenMP, and the sums do not depend on how many there are.
 ///
 /// Where the near field is cut off the neighbours of each particle are searched, and only pairs within reach are
-/// evaluated, at a cost that grows with N. Sums are formed over those pairs alone, by ascending numbers.
+/// evaluated, by one thread, at a cost that grows with N. Sums are formed over those pairs alone, by ascending numbers.
 /// @param law    constants that validate() accepts
 /// @param at     the particles
 /// @param force  receives the forces, added to what it holds [N]

@@ -154,6 +154,32 @@ class Scene {
     }
   }
 
+  /// The same, and the potential energy of all laws; a near field in Space finds both in one pass over its pairs.
+  ///
+  /// @param state   a state of this scene
+  /// @param f       receives the forces, 3 N numbers, column by column [N]
+  /// @param energy  receives the potential energy [J]
+  /// @return whether they have a value there
+  bool total_force(const schemes::State& state, schemes::Out f, double& energy) const
+      requires(laws::Conservative<Laws, D>&&...) {
+    const auto at = [&] {
+      if constexpr (needs_velocity) {
+        return moving(state.t, state.r, state.v);
+      } else {
+        return places(state.t, state.r);
+      }
+    }();
+    energy = 0.0;
+    return force_of(f, [&](const auto& law, laws::Forces sum) {
+      if constexpr (requires { add_force_and_energy(law, domain_, at, sum, energy); }) {
+        return add_force_and_energy(law, domain_, at, sum, energy);
+      } else {
+        energy += detail::energy_of(law, domain_, at);
+        return add(law, at, sum);
+      }
+    });
+  }
+
   /// Potential energy of all laws; a scene with a law that has none does not offer it.
   ///
   /// @param state  a state of this scene
@@ -316,12 +342,16 @@ class Scene {
     if constexpr (laws::Force<L, D>) return add_force(law, domain_, at, sum);
     return true;
   }
-  template <class Here>
-  bool force(const Here& at, schemes::Out f) const {
+  template <class AddTo>
+  bool force_of(schemes::Out f, const AddTo& add_to) const {
     detail::require_length(f.size(), particles_.size());
     f.setZero();
     const laws::Forces sum(f.data(), particles_.size(), 3);
-    return std::apply([&](const auto&... law) { return (add(law, at, sum) && ...); }, laws_);
+    return std::apply([&](const auto&... law) { return (add_to(law, sum) && ...); }, laws_);
+  }
+  template <class Here>
+  bool force(const Here& at, schemes::Out f) const {
+    return force_of(f, [&](const auto& law, laws::Forces sum) { return add(law, at, sum); });
   }
   bool divide_by_mass(schemes::Out a) const {
     laws::Forces(a.data(), particles_.size(), 3).array().colwise() *= inverse_mass_.array();

@@ -54,21 +54,8 @@ struct Within {
   double lengths[3];
 };
 
-// What is yet to be added to the reactions of particle j.
-struct Reaction {
-  double x, y, z;
-  std::int64_t j;
-};
-
-// Rows, and where their reactions are noted, if not added at once; how many were.
-struct Rows {
-  std::int64_t first, last;
-  Reaction* noted;
-  std::int64_t notes;
-};
-
-// The same for those pairs alone that are nearer than the cut-off distance, of some rows. Columns need no padding.
-using AddPairsWithin = bool (*)(const PairForce& law, const Within& within, const Columns& columns, Rows& rows);
+// The same for those pairs alone that are nearer than the cut-off distance. Columns need no padding.
+using AddPairsWithin = bool (*)(const PairForce& law, const Within& within, const Columns& columns);
 
 // One for each set of instructions; null where this build has no such code.
 extern const AddPairs add_pairs_baseline;

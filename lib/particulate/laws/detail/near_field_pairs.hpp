@@ -395,7 +395,7 @@ void meet(const Powers& powers, const Columns& c, const Row* row, std::int64_t i
 template <class Powers, class E>
 __attribute__((flatten)) void add_rows(const Powers& powers, const PairForce& law, const Block& block, std::int64_t i,
                                        Range<Vector>& range, E& energy) {
-  const Columns &own = block.row, &c = block.partner;
+  const Columns own = block.row, c = block.partner;                        // copies: what is stored cannot change them
   const std::int64_t N = block.partners, before = block.same ? i : -rows;  // partners that are no pairs
   Row row[rows];
   Sums action[rows];
@@ -434,10 +434,20 @@ bool by_powers(const PairForce& law, const Add& add) {
   return is_whole(law.beta1) && is_whole(law.beta2) ? add(WholePowers(law)) : add(RealPowers(law));
 }
 
+// What is left in the upper halves of registers makes code that does not know of them wait for them, three times as
+// slow as it could be. The compiler does not see all that leaves them behind.
+void clear_upper_halves() {
+#ifdef __AVX__
+  __builtin_ia32_vzeroupper();
+#endif
+}
+
 bool add_pairs(const PairForce& law, const Block& block, double* energy) {
-  return by_powers(law, [&](const auto& powers) {
+  const bool full = by_powers(law, [&](const auto& powers) {
     return energy ? add_many<Energy>(powers, law, block, energy) : add_many<NoEnergy>(powers, law, block, nullptr);
   });
+  clear_upper_halves();
+  return full;
 }
 
 // How a force ends at its cut-off distance: by a factor of 1 - u^2 (3 - 2 u), u from 0 to 1 over the taper's width.
@@ -474,7 +484,7 @@ struct Met {
 // sums do not depend on which others were candidates.
 template <class Powers>
 __attribute__((flatten)) void meet_within(const Powers& powers, const Taper& taper, const Row& row, const Columns& c,
-                                          Met& met, Sums& action, Range<Vector>& range, Rows& noting) {
+                                          Met& met, Sums& action, Range<Vector>& range) {
   for (int k = met.n; k % lanes != 0; ++k) met.dx[k] = met.dy[k] = met.dz[k] = met.factor[k] = 0.0, met.square[k] = 1.0;
   for (int first = 0; first < met.n; first += lanes) {
     const Vector dx = load(met.dx + first), dy = load(met.dy + first), dz = load(met.dz + first);
@@ -487,10 +497,6 @@ __attribute__((flatten)) void meet_within(const Powers& powers, const Taper& tap
     const int used = met.n - first < lanes ? met.n - first : lanes;
     for (int lane = 0; lane < used; ++lane) {
       const std::int32_t j = met.number[first + lane];
-      if (noting.noted) {
-        noting.noted[noting.notes++] = {x[lane], y[lane], z[lane], j};
-        continue;
-      }
       c.reaction_x[j] -= x[lane], c.reaction_y[j] -= y[lane], c.reaction_z[j] -= z[lane];
     }
   }
@@ -498,12 +504,12 @@ __attribute__((flatten)) void meet_within(const Powers& powers, const Taper& tap
 }
 
 template <class Powers>
-bool add_all_within(const Powers& powers, const PairForce& law, const Within& within, const Columns& c, Rows& of) {
+bool add_all_within(const Powers& powers, const PairForce& law, const Within& within, const Columns& c) {
   const Taper taper(within);
   const double reach = within.cutoff * within.cutoff;
   Range<Vector> range;
   Met met;
-  for (std::int64_t i = of.first; i < of.last; ++i) {
+  for (std::int64_t i = 0; i < within.N; ++i) {
     const Row row = row_of(law, c, i);
     Sums action;
     const auto look_at = [&](std::int64_t j) {
@@ -513,21 +519,23 @@ bool add_all_within(const Powers& powers, const PairForce& law, const Within& wi
       met.dx[met.n] = dx, met.dy[met.n] = dy, met.dz[met.n] = dz, met.square[met.n] = square;
       met.factor[met.n] = c.factor[j], met.number[met.n] = static_cast<std::int32_t>(j);
       met.n += square < reach ? 1 : 0;
-      if (met.n == Met::most) meet_within(powers, taper, row, c, met, action, range, of);
+      if (met.n == Met::most) meet_within(powers, taper, row, c, met, action, range);
     };
     if (within.first) {
       for (std::uint32_t k = within.first[i]; k < within.first[i + 1]; ++k) look_at(within.partner[k]);
     } else {
       for (std::int64_t j = i + 1; j < within.N; ++j) look_at(j);
     }
-    if (met.n > 0) meet_within(powers, taper, row, c, met, action, range, of);
+    if (met.n > 0) meet_within(powers, taper, row, c, met, action, range);
     c.action_x[i] += sum(action.x), c.action_y[i] += sum(action.y), c.action_z[i] += sum(action.z);
   }
   return is_full(law, 1.0, range);
 }
 
-bool add_pairs_within(const PairForce& law, const Within& within, const Columns& c, Rows& of) {
-  return by_powers(law, [&](const auto& powers) { return add_all_within(powers, law, within, c, of); });
+bool add_pairs_within(const PairForce& law, const Within& within, const Columns& c) {
+  const bool full = by_powers(law, [&](const auto& powers) { return add_all_within(powers, law, within, c); });
+  clear_upper_halves();
+  return full;
 }
 
 }  // namespace
