@@ -97,11 +97,22 @@ void compare_domain(Rows& rows, const std::string& which, const Domain& domain, 
   rows.at_most("forces" + which, {.limit = limit, .computed = error_of_forces(expected, force), .because = because});
   rows.at_most("m times accelerations" + which,
                {.limit = limit, .computed = error_of_forces(expected, acceleration), .because = because});
-  const double energy_error =
-      static_cast<double>(std::abs(scene.potential_energy(start) - expected.energy) / expected.energy_size);
-  rows.at_most("potential energy" + which, {.limit = limit,
-                                            .computed = energy_error,
-                                            .because = "as the forces, summed over pairs: fewer eps of their sizes"});
+  const auto claim_energy = [&](const std::string& what, double energy) {
+    const double error = static_cast<double>(std::abs(energy - expected.energy) / expected.energy_size);
+    rows.at_most(
+        what + which,
+        {.limit = limit, .computed = error, .because = "as the forces, summed over pairs: fewer eps of their sizes"});
+  };
+  claim_energy("potential energy", scene.potential_energy(start));
+  double energy = 0.0;
+  Eigen::VectorXd once_more(force.size());
+  if (!scene.total_force(start, once_more, energy)) throw std::runtime_error("the cloud has no forces");
+  claim_energy("potential energy, in one pass with the forces", energy);
+  rows.compare("numbers of those forces that differ" + which,
+               {.expected = 0.0,
+                .computed = static_cast<double>((once_more.array() != force.array()).count()),
+                .tolerance = absolute(0.0),
+                .because = "the same sums in the same order"});
 }
 
 void compare(Rows& rows, const laws::NearField& law, Eigen::Index N, const std::string& scaling) {
@@ -139,8 +150,8 @@ const Case near_field_pairs{
     [](Rows& rows) {
       using laws::Scaling;
       // The library takes a few particles pair by pair, more in vectors of up to 8: full ones, and with 1 or 2 left
-      // over.
-      for (const Eigen::Index N : {2, 3, 128, 129, 130, 257}) {
+      // over, and more than 512 in blocks.
+      for (const Eigen::Index N : {2, 3, 128, 129, 257, 514}) {
         compare(rows, {.alpha1 = 0.5, .alpha2 = 0.25, .beta1 = 1.0, .beta2 = 2.0}, N, "mass");
       }
       compare(rows, {.alpha1 = 1.0, .alpha2 = 0.5, .beta1 = 2.0, .beta2 = 3.0, .d_ref = 0.7}, 40, "mass");
@@ -148,11 +159,45 @@ const Case near_field_pairs{
       compare(rows, {.alpha1 = 1.0, .alpha2 = 0.3, .beta1 = 0.7, .beta2 = 2.6, .d_ref = 2.0, .scaling = Scaling::area},
               40, "area");
       compare(rows, {.alpha1 = 1.0, .alpha2 = 0.3, .beta1 = 1.5, .beta2 = 4.5, .scaling = Scaling::pair}, 40, "pair");
+      compare(rows, {.alpha1 = 1.0, .alpha2 = 0.3, .beta1 = -1.0, .beta2 = 2.0}, 40, "mass");
+      compare(rows, {.alpha1 = 1.0, .alpha2 = 0.3, .beta1 = -0.7, .beta2 = 12.9, .scaling = Scaling::pair}, 40, "pair");
       const kinematics::Particles cloud = random_cloud({.N = 40}, rows.case_seed());
       rows.at_most("adding to forces of 1 N, error [N]",
                    {.limit = 1e-13,
                     .computed = std::abs(error_of_adding({.alpha1 = 0.5, .alpha2 = 0.25}, cloud)),
                     .because = "forces up to some hundred N rounded to 1e-16 of themselves, 40 sums"});
+    }};
+
+const Case near_field_threads{
+    {.name = "near_field_threads",
+     .claim = "forces and energies are the same to the last bit for any number of threads",
+     .equation = "M 2.3",
+     .reference = Reference::identity},
+    [](Rows& rows) {
+      // An odd and an even number of blocks of 512, the last of them a small one.
+      for (const Eigen::Index N : {1100, 1540}) {
+        for (const auto& [beta1, beta2] : {std::pair{1.0, 2.0}, {0.5, 2.5}}) {
+          const auto run = [&, cloud = random_cloud({.N = N}, rows.case_seed())](int threads) {
+            const laws::NearField law{
+                .alpha1 = 0.5, .alpha2 = 0.25, .beta1 = beta1, .beta2 = beta2, .threads = threads};
+            const NearFieldScene scene(cloud, {}, law);
+            Eigen::VectorXd found(3 * N + 1);
+            if (!scene.total_force(scenes::start(scene), found.head(3 * N), found[3 * N])) {
+              throw std::runtime_error("the cloud has no forces");
+            }
+            return found;
+          };
+          const Eigen::VectorXd alone = run(1);
+          for (const int threads : {2, 3, 8}) {
+            rows.compare(
+                fmt::format("numbers that differ, {} threads, N = {}, beta = ({}, {})", threads, N, beta1, beta2),
+                {.expected = 0.0,
+                 .computed = static_cast<double>((run(threads).array() != alone.array()).count()),
+                 .tolerance = absolute(0.0),
+                 .because = "blocks meet in the same rounds, and energies are summed in their order"});
+          }
+        }
+      }
     }};
 
 // Near fields act in pairs, so their sum and their moment vanish.

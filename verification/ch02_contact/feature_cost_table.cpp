@@ -18,6 +18,7 @@ struct Feature {
 constexpr std::array features{
     Feature{"near field", "gravity", "near_field_absent", "near_field_idle", "near_field_used"},
     Feature{"gravity", "near field", "gravity_absent", "gravity_idle", "near_field_used"},
+    Feature{"energy in the same pass", "near field", "energy_absent", "energy_absent", "energy_used"},
     Feature{"contact", "gravity, near field, box", "contact_absent", "contact_idle", "contact_used"},
     Feature{"wall", "gravity, near field, contact", "wall_absent", "wall_idle", "contact_used"},
     Feature{"friction", "gravity, near field, box, contact", "contact_used", "friction_idle", "friction_used"},
@@ -76,7 +77,7 @@ void claim_states(Rows& rows, const StepCosts& costs) {
                               "which alone moves the count by about 0.1 per mille"});
   }
   for (const char* const scene : {"near_field_absent", "near_field_used", "gravity_absent", "gravity_idle",
-                                  "contact_absent", "contact_idle", "neighbours_idle", "history_idle"}) {
+                                  "energy_used", "contact_absent", "contact_idle", "neighbours_idle", "history_idle"}) {
     rows.compare(fmt::format("{}: allocations a step", scene),
                  {.expected = 0.0,
                   .computed = costs.of(scene).allocations,

@@ -106,6 +106,22 @@ CountedRun with_history(long steps, double apart) {
   return run;
 }
 
+// The forces of a near field as often as there are steps, with their potential energy or without.
+CountedRun forces(long steps, bool with_energy) {
+  const Scene attracted(thin, Space{}, field);
+  const schemes::State at = scenes::start(attracted);
+  Eigen::VectorXd f(at.r.size());
+  CountedRun run{.particles = N, .impacts = 0, .sum = 0.0};
+  for (long step = 0; step < steps; ++step) {
+    double energy = 0.0;
+    if (!(with_energy ? attracted.total_force(at, f, energy) : attracted.total_force(at, f))) {
+      throw std::runtime_error("no force");
+    }
+    run.sum += f[0] + energy;
+  }
+  return run;
+}
+
 // What a reader would write without a library: Verlet over three arrays of components, the forces in place, no checks.
 template <class Force>
 CountedRun by_hand(const kinematics::Particles& particles, long steps, const Force& add) {
@@ -182,6 +198,9 @@ const std::array all{
 
     CountedScene{"gravity_absent", [](long n) { return scene(thin, Space{}, n, field); }},
     CountedScene{"gravity_idle", [](long n) { return scene(thin, Space{}, n, weightless, field); }},
+
+    CountedScene{"energy_absent", [](long n) { return forces(n, false); }},
+    CountedScene{"energy_used", [](long n) { return forces(n, true); }},
 
     CountedScene{"contact_absent", [](long n) { return scene(thin, box(0.0), n, weight, field); }},
     CountedScene{"contact_idle", [](long n) { return scene(thin, box(0.0), n, weight, field, Elastic{}); }},
