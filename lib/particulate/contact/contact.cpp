@@ -1,6 +1,7 @@
 #include <particulate/contact/contact.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 
@@ -77,12 +78,15 @@ double travel(const laws::At<laws::Velocity>& at, std::span<const kinematics::Wa
   const Eigen::Index N = at.mass.size();
   if (N == 0 || !(at.radius.maxCoeff() > 0.0)) return 0.0;
   const double smallest = (at.radius.array() > 0.0).select(at.radius, at.radius.maxCoeff()).minCoeff();
-  const Eigen::RowVector3d mean = at.velocity.colwise().mean();
-  double farthest = 0.0;
-  for (Eigen::Index i = 0; i < N; ++i) {
-    double speed = (at.velocity.row(i) - mean).norm();
-    for (const kinematics::Wall& wall : walls) speed = std::max(speed, -at.velocity.row(i).dot(wall.normal));
-    farthest = std::max(farthest, speed / std::max(at.radius[i], smallest));
+  const Eigen::ArrayXd per_radius = at.radius.cwiseMax(smallest).cwiseInverse();
+  const auto u = at.velocity.col(0).array(), v = at.velocity.col(1).array(), w = at.velocity.col(2).array();
+  const auto move = [&](const auto& speed) { return speed * per_radius; };
+  const double squared =
+      (move(u - u.mean()).square() + move(v - v.mean()).square() + move(w - w.mean()).square()).maxCoeff();
+  double farthest = std::sqrt(squared);
+  for (const kinematics::Wall& wall : walls) {
+    const Eigen::Vector3d& n = wall.normal;
+    farthest = std::max(farthest, -move(n.x() * u + n.y() * v + n.z() * w).minCoeff());
   }
   return farthest * dt;
 }

@@ -37,11 +37,16 @@ bool find(const kinematics::Space& domain, const kinematics::VectorsIn& position
           std::size_t most, std::vector<Pair>& pairs) {
   const Eigen::RowVector3d extent = position.colwise().maxCoeff() - position.colwise().minCoeff();
   kinematics::Cells cells(domain, extent, least_edge(size), size.size());
+  // One direction at a time: a vector that is written by numbers and read as a whole would be waited for.
+  const auto apart = [&](const Eigen::Vector3d& from, const Eigen::Vector3d& to, Eigen::Index axis) {
+    return kinematics::nearest_image(to[axis] - from[axis], domain.lengths[axis]);
+  };
   for (const std::int32_t i : larger_first(cells, size)) {
     const Eigen::Vector3d here = position.row(i);
     cells.near(here, size[i], cells.level(size[i]), [&](const kinematics::Cells::Body& other) {
-      const double reach = size[i] + other.size;
-      if (separation(domain, here, other.place).squaredNorm() > (1.0 + 1e-12) * reach * reach) return;
+      const double reach = size[i] + other.size, dx = apart(here, other.place, 0), dy = apart(here, other.place, 1),
+                   dz = apart(here, other.place, 2);
+      if (dx * dx + dy * dy + dz * dz > (1.0 + 1e-12) * reach * reach) return;
       pairs.push_back(std::minmax(i, other.index));
     });
     if (pairs.size() > most) return false;

@@ -20,13 +20,19 @@
 namespace particulate::laws::detail {
 namespace {
 
+template <int... lane>
+struct Lanes {};
+
 #if defined(__AVX512F__)
+using AllLanes = Lanes<0, 1, 2, 3, 4, 5, 6, 7>;
 constexpr int lanes = 8;
 constexpr int rows = 4;  // as many as the 32 registers hold with their sums
 #elif defined(__AVX2__)
+using AllLanes = Lanes<0, 1, 2, 3>;
 constexpr int lanes = 4;
 constexpr int rows = 2;  // 16 registers
 #else
+using AllLanes = Lanes<0, 1>;
 constexpr int lanes = 2;
 constexpr int rows = 2;
 #endif
@@ -467,66 +473,139 @@ class Taper {
   double start_, per_width_;
 };
 
-// The component of the nearest image; see separation() of space.
-double nearest(double d, double length) {
-  return std::fabs(d) > 0.5 * length ? d - length * std::nearbyint(d / length) : d;
+// Not one by one: a vector that is written so and read as a whole would be waited for.
+template <int... lane>
+__attribute__((always_inline)) inline Vector gather(const double* from, const std::int32_t* j, Lanes<lane...>) {
+  return Vector{from[j[lane]]...};
+}
+__attribute__((always_inline)) inline Vector gather(const double* from, const std::int32_t* j) {
+  return gather(from, j, AllLanes{});
 }
 
-// Partners of a particle within reach, side by side: as many as are met at once.
-struct Met {
-  static constexpr int most = 64;
-  alignas(64) double dx[most], dy[most], dz[most], square[most], factor[most];
-  std::int32_t number[most];
-  int n = 0;
+// One component of the nearest image in space that repeats itself; see separation() of space.
+class Nearest {
+ public:
+  explicit Nearest(double length)
+      : length_(length <= DBL_MAX ? length : 0.0), per_length_(length <= DBL_MAX ? 1.0 / length : 0.0) {}
+
+  // Added to a large number, what is added is rounded to a whole one.
+  Vector operator()(Vector d) const {
+    constexpr double large = 0x1.8p52;
+    return d - length_ * ((d * per_length_ + large) - large);
+  }
+  // Most pairs are near enough, and need no division.
+  double operator()(double d) const {
+    return length_ > 0.0 && std::fabs(d) > 0.5 * length_ ? d - length_ * std::nearbyint(d / length_) : d;
+  }
+
+ private:
+  double length_, per_length_;
 };
 
-// A particle against those partners. Lanes are filled with partners within reach alone, in ascending order, so that
-// sums do not depend on which others were candidates.
+// Partners within reach, side by side.
+struct Met {
+  static constexpr int most = 64;
+  alignas(64) double dx[most + lanes], dy[most + lanes], dz[most + lanes], square[most + lanes];
+  std::int32_t number[most + lanes];
+  int n = 0;
+
+  // Forgets the first so many.
+  void drop(int many) {
+    n -= many;
+    for (int k = 0; k < n; ++k) {
+      dx[k] = dx[many + k], dy[k] = dy[many + k], dz[k] = dz[many + k], square[k] = square[many + k];
+      number[k] = number[many + k];
+    }
+  }
+};
+
+// Looks which candidates are within reach of a particle.
+struct Search {
+  const Columns& c;
+  Nearest x, y, z;
+  double reach;  // squared
+
+  // Some candidates, as many as there are lanes or fewer. Only AVX-512 can write some lanes side by side; without that
+  // vectors gain nothing.
+  __attribute__((always_inline)) inline void add(const Row& row, const std::int32_t* j, int used, Met& met) const {
+#ifdef __AVX512F__
+    const Vector dx = x(gather(c.x, j) - row.x), dy = y(gather(c.y, j) - row.y), dz = z(gather(c.z, j) - row.z);
+    const Vector square = dx * dx + dy * dy + dz * dz;
+    const auto inside =
+        static_cast<__mmask8>(_mm512_cmp_pd_mask(square, _mm512_set1_pd(reach), _CMP_LT_OQ) & ((1U << used) - 1U));
+    store(_mm512_maskz_compress_pd(inside, dx), met.dx + met.n);
+    store(_mm512_maskz_compress_pd(inside, dy), met.dy + met.n);
+    store(_mm512_maskz_compress_pd(inside, dz), met.dz + met.n);
+    store(_mm512_maskz_compress_pd(inside, square), met.square + met.n);
+    const __m256i numbers = _mm256_maskz_compress_epi32(inside, _mm256_maskz_loadu_epi32(inside, j));
+    std::memcpy(met.number + met.n, &numbers, sizeof numbers);
+    met.n += __builtin_popcount(inside);
+#else
+    for (int lane = 0; lane < used; ++lane) {
+      const double dx = x(c.x[j[lane]] - row.x), dy = y(c.y[j[lane]] - row.y), dz = z(c.z[j[lane]] - row.z);
+      const double square = dx * dx + dy * dy + dz * dz;
+      met.dx[met.n] = dx, met.dy[met.n] = dy, met.dz[met.n] = dz, met.square[met.n] = square;
+      met.number[met.n] = j[lane];
+      met.n += square < reach ? 1 : 0;
+    }
+#endif
+  }
+};
+
+// A particle against the first so many of those partners. Lanes are filled with partners within reach alone, in
+// ascending order, so that sums do not depend on which others were candidates.
 template <class Powers>
 __attribute__((flatten)) void meet_within(const Powers& powers, const Taper& taper, const Row& row, const Columns& c,
-                                          Met& met, Sums& action, Range<Vector>& range) {
-  for (int k = met.n; k % lanes != 0; ++k) met.dx[k] = met.dy[k] = met.dz[k] = met.factor[k] = 0.0, met.square[k] = 1.0;
-  for (int first = 0; first < met.n; first += lanes) {
+                                          Met& met, int many, Sums& action, Range<Vector>& range) {
+  for (int k = many; k % lanes != 0; ++k) {
+    met.dx[k] = met.dy[k] = met.dz[k] = 0.0, met.square[k] = 1.0, met.number[k] = met.number[0];
+  }
+  for (int first = 0; first < many; first += lanes) {
     const Vector dx = load(met.dx + first), dy = load(met.dy + first), dz = load(met.dz + first);
-    const Vector square = load(met.square + first);
+    const Vector square = load(met.square + first), factor = gather(c.factor, met.number + first);
     range.include(square);
-    const Vector over_d =
-        force_over_distance(powers, row, load(met.factor + first), square) * taper(square * inverse_root(square));
+    const Vector over_d = force_over_distance(powers, row, factor, square) * taper(square * inverse_root(square));
     const Vector x = over_d * dx, y = over_d * dy, z = over_d * dz;
     action.x += x, action.y += y, action.z += z;
-    const int used = met.n - first < lanes ? met.n - first : lanes;
+    const int used = many - first < lanes ? many - first : lanes;
     for (int lane = 0; lane < used; ++lane) {
       const std::int32_t j = met.number[first + lane];
       c.reaction_x[j] -= x[lane], c.reaction_y[j] -= y[lane], c.reaction_z[j] -= z[lane];
     }
   }
-  met.n = 0;
+  met.drop(many);
 }
 
 template <class Powers>
 bool add_all_within(const Powers& powers, const PairForce& law, const Within& within, const Columns& c) {
   const Taper taper(within);
-  const double reach = within.cutoff * within.cutoff;
+  const Search search{.c = c,
+                      .x = Nearest(within.lengths[0]),
+                      .y = Nearest(within.lengths[1]),
+                      .z = Nearest(within.lengths[2]),
+                      .reach = within.cutoff * within.cutoff};
   Range<Vector> range;
   Met met;
   for (std::int64_t i = 0; i < within.N; ++i) {
     const Row row = row_of(law, c, i);
     Sums action;
-    const auto look_at = [&](std::int64_t j) {
-      const double dx = nearest(c.x[j] - row.x, within.lengths[0]), dy = nearest(c.y[j] - row.y, within.lengths[1]),
-                   dz = nearest(c.z[j] - row.z, within.lengths[2]);
-      const double square = dx * dx + dy * dy + dz * dz;
-      met.dx[met.n] = dx, met.dy[met.n] = dy, met.dz[met.n] = dz, met.square[met.n] = square;
-      met.factor[met.n] = c.factor[j], met.number[met.n] = static_cast<std::int32_t>(j);
-      met.n += square < reach ? 1 : 0;
-      if (met.n == Met::most) meet_within(powers, taper, row, c, met, action, range);
+    const auto look_at = [&](const std::int32_t* j, int used) {
+      search.add(row, j, used, met);
+      if (met.n >= Met::most) meet_within(powers, taper, row, c, met, Met::most, action, range);
     };
-    if (within.first) {
-      for (std::uint32_t k = within.first[i]; k < within.first[i + 1]; ++k) look_at(within.partner[k]);
-    } else {
-      for (std::int64_t j = i + 1; j < within.N; ++j) look_at(j);
+    const std::int64_t count = within.first ? within.first[i + 1] - within.first[i] : within.N - 1 - i;
+    std::int64_t k = 0;
+    for (; within.first && k + lanes <= count; k += lanes) look_at(within.partner + within.first[i] + k, lanes);
+    for (; k < count; k += lanes) {
+      const int used = count - k < lanes ? static_cast<int>(count - k) : lanes;
+      std::int32_t j[lanes] = {};
+      for (int lane = 0; lane < used; ++lane) {
+        j[lane] =
+            within.first ? within.partner[within.first[i] + k + lane] : static_cast<std::int32_t>(i + 1 + k + lane);
+      }
+      look_at(j, used);
     }
-    if (met.n > 0) meet_within(powers, taper, row, c, met, action, range);
+    if (met.n > 0) meet_within(powers, taper, row, c, met, met.n, action, range);
     c.action_x[i] += sum(action.x), c.action_y[i] += sum(action.y), c.action_z[i] += sum(action.z);
   }
   return is_full(law, 1.0, range);
