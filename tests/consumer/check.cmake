@@ -3,11 +3,15 @@
 #   cmake -DVARIANT=... -DSOURCE=<project> -DBUILD=<its build tree> -DWORK=<scratch> -DARGUMENTS=<for configuring>
 #         -P check.cmake
 #
-# Whatever the variant, the consumer may find Eigen and fmt and nothing else.
+# Whatever the variant, the consumer may find Eigen and fmt and nothing else, but for what a library that was built with
+# threads needs of OpenMP; where it is compiled anew it is built without.
 
 cmake_minimum_required(VERSION 3.25)
 
 set(forbidden SUNDIALS Boost CLI11 tomlplusplus nlohmann_json benchmark OpenMP Doxygen)
+if(NOT VARIANT STREQUAL "subproject")
+  list(REMOVE_ITEM forbidden OpenMP)
+endif()
 list(TRANSFORM forbidden REPLACE "(.+)" "-DCMAKE_DISABLE_FIND_PACKAGE_\\1=ON" OUTPUT_VARIABLE nothing_else)
 set(consumer "${CMAKE_CURRENT_LIST_DIR}")
 # Where the library is compiled anew, what counts is that it can be: unoptimized, and a topic at a time.
