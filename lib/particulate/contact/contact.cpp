@@ -1,7 +1,6 @@
 #include <particulate/contact/contact.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <stdexcept>
 
@@ -78,15 +77,13 @@ double travel(const laws::At<laws::Velocity>& at, std::span<const kinematics::Wa
   const Eigen::Index N = at.mass.size();
   if (N == 0 || !(at.radius.maxCoeff() > 0.0)) return 0.0;
   const double smallest = (at.radius.array() > 0.0).select(at.radius, at.radius.maxCoeff()).minCoeff();
-  const Eigen::ArrayXd per_radius = at.radius.cwiseMax(smallest).cwiseInverse();
+  const auto radius = at.radius.array().max(smallest);
   const auto u = at.velocity.col(0).array(), v = at.velocity.col(1).array(), w = at.velocity.col(2).array();
-  const auto move = [&](const auto& speed) { return speed * per_radius; };
-  const double squared =
-      (move(u - u.mean()).square() + move(v - v.mean()).square() + move(w - w.mean()).square()).maxCoeff();
-  double farthest = std::sqrt(squared);
+  const auto squared = (u - u.mean()).square() + (v - v.mean()).square() + (w - w.mean()).square();
+  double farthest = (squared.sqrt() / radius).maxCoeff();
   for (const kinematics::Wall& wall : walls) {
     const Eigen::Vector3d& n = wall.normal;
-    farthest = std::max(farthest, -move(n.x() * u + n.y() * v + n.z() * w).minCoeff());
+    farthest = std::max(farthest, -((n.x() * u + n.y() * v + n.z() * w) / radius).minCoeff());
   }
   return farthest * dt;
 }
