@@ -353,10 +353,10 @@ BOOST_AUTO_TEST_CASE(leaves_the_moment_of_an_impact_whose_recorder_throws) {
 BOOST_AUTO_TEST_CASE(refuses_what_cannot_be_meant) {
   HardSpheres gas(row_of({0, 0.75, 3}, {0, 0, 0}));
   State state = start(gas);
-  CHECK_REFUSED(gas.advance(state, 1.0), "particles 0 and 1 do by 0.25 m: move them apart, or take stepped contacts");
+  CHECK_REFUSED(gas.advance(state, 1.0), "spheres 0 and 1 overlap by 0.25 m, deepest of all: move them apart");
   HardSpheres low(row_of({0}, {0}), {.walls = {Wall{}}});
   state = start(low);
-  CHECK_REFUSED(low.advance(state, 1.0), "particle 0 and wall 0 do by 0.5 m");
+  CHECK_REFUSED(low.advance(state, 1.0), "sphere 0 and wall 0 overlap by 0.5 m, deepest of all");
   CHECK_REFUSED(low.advance(state, -1.0), "end time must be finite and not before 0 s, got -1 s");
   state.y.setZero(1);
   CHECK_REFUSED(low.advance(state, 1.0), "y must be empty");

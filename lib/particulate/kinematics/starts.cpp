@@ -206,7 +206,7 @@ namespace {
 
 // What overlaps deepest: two spheres, or one and a wall.
 struct Deepest {
-  double depth = 0.0;
+  double depth = 0.0, within_rounding = 0.0;  // beyond what rounding explains, and not
   Eigen::Index i = -1, j = -1, wall = -1;
 };
 
@@ -221,8 +221,10 @@ Deepest deepest_overlap(const Particles& particles, const Space& domain) {
   for (Eigen::Index i = 0; i < particles.size(); ++i) {
     const Eigen::Vector3d here = particles.position.row(i);
     const auto look_at = [&](double gap, double far, Eigen::Index j, Eigen::Index wall) {
-      const double roundings = 8.0 * std::numeric_limits<double>::epsilon() * far;
-      if (-gap > std::max(worst.depth, roundings)) worst = {.depth = -gap, .i = i, .j = j, .wall = wall};
+      double& deepest = -gap > 8.0 * std::numeric_limits<double>::epsilon() * far ? worst.depth : worst.within_rounding;
+      if (-gap <= deepest) return;
+      deepest = -gap;
+      if (&deepest == &worst.depth) worst.i = i, worst.j = j, worst.wall = wall;
     };
     const int any_level = 0;
     cells.near(here, radius[i], any_level, [&](const auto& body) {
@@ -242,17 +244,16 @@ Deepest deepest_overlap(const Particles& particles, const Space& domain) {
 
 }  // namespace
 
-void validate_apart(const Particles& particles, const Space& domain) {
+double validate_apart(const Particles& particles, const Space& domain) {
   validate(particles);
   validate(domain);
-  if (particles.size() == 0) return;
-  const Deepest worst = deepest_overlap(particles, domain);
-  if (worst.i < 0) return;
+  const Deepest worst = particles.size() > 0 ? deepest_overlap(particles, domain) : Deepest{};
+  if (worst.i < 0) return worst.within_rounding;
   const std::string who = worst.wall < 0 ? fmt::format("spheres {} and {}", worst.j, worst.i)
                                          : fmt::format("sphere {} and wall {}", worst.i, worst.wall);
   throw std::invalid_argument(fmt::format(
       "start: no two spheres may overlap, nor a sphere and a wall; {} overlap by {} m, deepest of all: move "
-      "them apart, or make them smaller",
+      "them apart, make them smaller, or take stepped contacts (Contact)",
       who, worst.depth));
 }
 

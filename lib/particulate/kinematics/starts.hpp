@@ -102,8 +102,9 @@ Particles particles_from(const std::vector<std::vector<std::string>>& lines, con
 ///
 /// @param particles  a start; two that are immovable may overlap
 /// @param domain     whose distances count, and whose walls
+/// @return the deepest overlap, which roundings explain, or 0 [m]
 /// @throws std::invalid_argument naming the deepest overlap, and whose it is; and as validate() does
-void validate_apart(const Particles& particles, const Space& domain);
+double validate_apart(const Particles& particles, const Space& domain);
 
 /// An order in which bodies that are near each other come after each other, for memory to be read in its order: along a
 /// curve that fills space cell by cell (Morton's).
