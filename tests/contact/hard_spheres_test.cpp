@@ -213,6 +213,14 @@ BOOST_AUTO_TEST_CASE(collides_so_with_sizes_and_masses_far_apart) {
   happens_as_with_all_pairs(apart(cloud, 4.0), 4.0, 1.0, 20, 6.0);
 }
 
+// Some are larger than the cells of most, and few cells apart.
+BOOST_AUTO_TEST_CASE(misses_nobody_of_sizes_in_cells_of_two_kinds) {
+  const Particles cloud = apart(random_cloud(400, Vector3d::Constant(1.0), 0.05, 0.08), 1.0);
+  HardSpheres gas(cloud, periodic(1, 1, 1));
+  State state = start(gas);
+  BOOST_TEST(gas.advance(state, 20.0).overlap < 1e-13);
+}
+
 BOOST_AUTO_TEST_CASE(keeps_energy_and_momentum_of_an_elastic_gas_and_its_spheres_apart) {
   const Particles cloud = apart(random_cloud(60, Vector3d::Constant(5.0), 0.3, 0.4), 5.0);
   HardSpheres gas(cloud, periodic(5, 5, 5));

@@ -87,7 +87,7 @@ MovingCells::MovingCells(const kinematics::Space& domain, const Eigen::Vector3d&
 void MovingCells::add(const Eigen::Vector3d& place, double radius) {
   std::size_t level = 0;
   while (radius > levels_[level].largest) ++level;
-  Resident one{.cell = {}, .radius = radius, .level = level};
+  Resident one{.cell = {}, .level = level};
   for (std::size_t k = 0; k < 3; ++k) {
     const auto cell = static_cast<std::int64_t>(std::floor(place[static_cast<Eigen::Index>(k)] * axes_[k].per_length));
     one.cell[k] = axes_[k].repeats ? std::clamp(cell, std::int64_t{0}, axes_[k].cells - 1) : cell;

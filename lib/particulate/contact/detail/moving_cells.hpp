@@ -46,19 +46,15 @@ class MovingCells {
   void near(std::int32_t i, F&& visit) const {
     for (const Level& level : levels_) visit_cut(level, cut(level, i), visit);
   }
-  // The same of those alone that it may touch since it has crossed into its cell.
+  // The same of those alone that it may touch since it has crossed into its cell. Levels shift to whole cells towards
+  // minus infinity.
   template <class F>
   void news(std::int32_t i, Eigen::Index axis, bool upwards, F&& visit) const {
     for (const Level& level : levels_) {
       Cut all = cut(level, i);
-      auto& [first, last] = all[static_cast<std::size_t>(axis)];
-      // Levels shift to whole cells towards minus infinity.
-      const std::int64_t reach = reach_of(level, i, axis), here = at(i).cell[static_cast<std::size_t>(axis)];
-      if (upwards) {
-        first = ((here + reach - 1) >> level.number) + 1;
-      } else {
-        last = ((here - reach + 1) >> level.number) - 1;
-      }
+      const auto k = static_cast<std::size_t>(axis);
+      const std::int64_t reach = reach_of(level, i, k), now_reached = at(i).cell[k] + (upwards ? reach : -reach);
+      all[k] = {now_reached >> level.number, now_reached >> level.number};
       visit_cut(level, all, visit);
     }
   }
@@ -77,7 +73,6 @@ class MovingCells {
   };
   struct Resident {
     std::array<std::int64_t, 3> cell;
-    double radius;
     std::size_t level;
   };
   struct Interval {
@@ -91,15 +86,16 @@ class MovingCells {
   };
 
   const Resident& at(std::int32_t i) const { return residents_[static_cast<std::size_t>(i)]; }
-  // In cells of level zero, rounded up.
-  std::int64_t reach_of(const Level& level, std::int32_t i, Eigen::Index axis) const {
-    const double reach = (at(i).radius + level.largest) * axes_[static_cast<std::size_t>(axis)].per_length;
+  // In cells of level zero, rounded up: the same of all of two levels, so that of two who come within reach one crosses
+  // into it, and sees the other there.
+  std::int64_t reach_of(const Level& level, std::int32_t i, std::size_t k) const {
+    const double reach = (levels_[at(i).level].largest + level.largest) * axes_[k].per_length;
     return static_cast<std::int64_t>(reach * (1.0 + 1e-9)) + 1;
   }
   Cut cut(const Level& level, std::int32_t i) const {
     Cut all;
     for (std::size_t k = 0; k < 3; ++k) {
-      const std::int64_t reach = reach_of(level, i, static_cast<Eigen::Index>(k)), here = at(i).cell[k];
+      const std::int64_t reach = reach_of(level, i, k), here = at(i).cell[k];
       all[k] = {(here - reach) >> level.number, (here + reach) >> level.number};
     }
     return all;
