@@ -264,6 +264,70 @@ BOOST_AUTO_TEST_CASE(goes_on_from_a_state_with_the_same_bits) {
   BOOST_TEST(close(flat(written), flat(state), {.absolute = 0.0}));
 }
 
+// 0 approaches 1 by a rounding: 2^-52 s^-1 of their distance, and none of the 8 (0.5 + 1.5) of these roundings is
+// passed.
+BOOST_AUTO_TEST_CASE(stops_an_approach_of_a_rounding_without_an_impact) {
+  HardSpheres gas(row_of({0, 1}, {1, 1 - 0x1p-52}));
+  State state = start(gas);
+  const Outcome outcome = gas.advance(state, 1e4);
+  BOOST_TEST(outcome.impacts == 0);
+  BOOST_TEST(outcome.overlap < 1e-14);
+  BOOST_TEST(state.v[0] <= state.v[1]);
+  BOOST_TEST(state.v[1] == 1.0, tolerance(1e-15));
+}
+
+// Parting two by a rounding can have one approach its other neighbour by another, round the period.
+BOOST_AUTO_TEST_CASE(does_not_stop_such_approaches_at_one_moment_without_end) {
+  Particles ring = row_of({0, 1, 2}, {1, 1 - 0x1p-52, 1 + 0x1p-52});
+  ring.mass = Vector3d(1, 2, 3);
+  HardSpheres gas(ring, periodic(3));
+  State state = start(gas);
+  const Outcome outcome = gas.advance(state, 64.0);
+  BOOST_TEST(outcome.impacts == 0);
+  BOOST_TEST(outcome.overlap < 1e-13);
+  BOOST_TEST(gas.tally().predictions < 100);
+}
+
+// Times of the state are 1.2e-7 s apart, and are left every 64 impacts.
+BOOST_AUTO_TEST_CASE(loses_no_time_where_it_is_counted_anew) {
+  HardSpheres gas(row_of({1}, {0.7}),
+                  {.walls = {Wall{.normal = {1, 0, 0}}, Wall{.point = {3, 0, 0}, .normal = {-1, 0, 0}}}});
+  State state = start(gas), late = state;
+  late.t = 1e9;
+  Collision last, last_late;
+  BOOST_TEST(gas.advance(state, 4096.0, [&](const Collision& one) { last = one; }).impacts == 1433);
+  BOOST_TEST(gas.advance(late, 1e9 + 4096.0, [&](const Collision& one) { last_late = one; }).impacts == 1433);
+  BOOST_TEST(std::abs(late.r[0] - state.r[0]) < 1e-11);
+  BOOST_TEST(std::abs((last_late.t - 1e9) + last_late.t_carry - last.t) < 1e-11);
+}
+
+// Pair by pair what 0 brings is halved between two again and again: speeds of approach are 1/2^k.
+BOOST_AUTO_TEST_CASE(tells_that_three_that_touch_and_stick_are_never_done) {
+  HardSpheres gas(row_of({-2, 0, 1}, {1, 0, 0}), open, ConstantRestitution{0.0});
+  State state = start(gas);
+  std::vector<double> speeds;
+  const Outcome outcome = gas.advance(state, 2.0, [&](const Collision& one) { speeds.push_back(one.approach_speed); });
+  BOOST_TEST((outcome.failure == Failure::accumulating));
+  BOOST_TEST(outcome.accumulation == 1.0);
+  BOOST_TEST(contains(outcome.reason, "particles 0, 1, 2 meet infinitely often by t = 1 s"));
+  for (std::size_t k = 0; k < 20; ++k)
+    BOOST_TEST(speeds.at(k) == std::ldexp(1.0, -static_cast<int>(k)), tolerance(1e-9));
+  BOOST_TEST(close(state.v.head(3), Vector3d::Constant(1.0 / 3.0), {.absolute = 1e-8}));
+}
+
+// The first that is hit does not come back to the other: 0 and 1 lie below 2, hit from above.
+BOOST_AUTO_TEST_CASE(is_done_with_three_that_stick_but_part) {
+  HardSpheres gas(particles({{.position = {0, 0, 0}, .mass = 1, .radius = 0.5},
+                             {.position = {1, 0, 0}, .mass = 1, .radius = 0.5},
+                             {.position = {0.5, 3, 0}, .velocity = {0, -1, 0}, .mass = 1, .radius = 0.5}}),
+                  open, ConstantRestitution{0.0});
+  State state = start(gas);
+  const Outcome outcome = gas.advance(state, 5.0);
+  BOOST_TEST((outcome.status == Status::reached));
+  BOOST_TEST(outcome.impacts == 2);
+  BOOST_TEST(outcome.overlap < 1e-15);
+}
+
 // Just after 0 has hit 1, gap and closing speed of 1 and 2 are 1 m and 1 m/s. Every hit makes of gap g, closing speed u
 // and parting speed w of the other pair w g/u, (1 + e) u/2 - w and e u. For e = 0.05 and w = u/8 that is the mirror
 // image, speeds 0.4 and times 0.3125 as large: t = 1/(1 - 0.3125) = 16/11. Gaps fall to an eighth: what is left of them
