@@ -5,7 +5,6 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <numbers>
 #include <numeric>
 #include <stdexcept>
@@ -211,6 +210,8 @@ struct Deepest {
 };
 
 Deepest deepest_overlap(const Particles& particles, const Space& domain) {
+  // Of places and radii: roundings of a long run add up.
+  constexpr double added_up = 1e-12;
   const Eigen::VectorXd inverse_mass = inverse_masses(particles), &radius = particles.radius;
   const Eigen::RowVector3d extent = particles.position.colwise().maxCoeff() - particles.position.colwise().minCoeff();
   const double largest = radius.maxCoeff();
@@ -221,7 +222,7 @@ Deepest deepest_overlap(const Particles& particles, const Space& domain) {
   for (Eigen::Index i = 0; i < particles.size(); ++i) {
     const Eigen::Vector3d here = particles.position.row(i);
     const auto look_at = [&](double gap, double far, Eigen::Index j, Eigen::Index wall) {
-      double& deepest = -gap > 8.0 * std::numeric_limits<double>::epsilon() * far ? worst.depth : worst.within_rounding;
+      double& deepest = -gap > added_up * far ? worst.depth : worst.within_rounding;
       if (-gap <= deepest) return;
       deepest = -gap;
       if (&deepest == &worst.depth) worst.i = i, worst.j = j, worst.wall = wall;

@@ -97,8 +97,9 @@ Vectors lattice(Lattice kind, Eigen::Index N, double edge);
 /// @throws std::invalid_argument with file and line, what must stand there and what does; and as validate() does
 Particles particles_from(const std::vector<std::vector<std::string>>& lines, const std::string& origin);
 
-/// Refuses spheres that overlap each other or a wall, by more than the roundings of their places. A scene does not, as
-/// stepped contact takes what has come to overlap apart again: for starts that come from elsewhere.
+/// Refuses spheres that overlap each other or a wall by more than roundings may add up to, 1e-12 of their places and
+/// radii. A scene does not, as stepped contact takes what has come to overlap apart again: for starts that come from
+/// elsewhere.
 ///
 /// @param particles  a start; two that are immovable may overlap
 /// @param domain     whose distances count, and whose walls
