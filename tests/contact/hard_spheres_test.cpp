@@ -192,6 +192,21 @@ BOOST_AUTO_TEST_CASE(resolves_three_at_one_moment_pair_by_pair_by_number) {
   BOOST_TEST(close(state.v.head(3), Vector3d(-0.359375, 0.046875, 0.3125), {.absolute = 0.0}));
 }
 
+// Numbers fall from place to place.
+BOOST_AUTO_TEST_CASE(has_many_pairs_meet_at_one_moment_by_number) {
+  constexpr std::size_t pairs = 30;
+  std::vector<double> x(2 * pairs), v(2 * pairs);
+  for (std::size_t k = 0; k < pairs; ++k) {
+    x[k] = -10.0 * static_cast<double>(k), v[k] = 1.0;
+    x[2 * pairs - 1 - k] = x[k] + 2.0, v[2 * pairs - 1 - k] = -1.0;
+  }
+  HardSpheres gas(row_of(x, v));
+  State state = start(gas);
+  std::vector<Eigen::Index> seen;
+  BOOST_TEST(gas.advance(state, 1.0, [&](const Collision& one) { seen.push_back(one.i); }).impacts == pairs);
+  for (std::size_t k = 0; k < pairs; ++k) BOOST_TEST(seen.at(k) == static_cast<Eigen::Index>(k));
+}
+
 BOOST_AUTO_TEST_CASE(passes_an_impact_through_a_row_that_touches) {
   HardSpheres gas(row_of({-3, 0, 1, 2, 3}, {1, 0, 0, 0, 0}));
   State state = start(gas);
