@@ -279,7 +279,9 @@ Particles row_of_three(double second, double third, double first = 0.0) {
 
 BOOST_AUTO_TEST_CASE(names_the_deepest_overlap) {
   const Space open, between{.walls = {{.point = {-1.0, 0.0, 0.0}, .normal = {1.0, 0.0, 0.0}}}};
-  validate_apart(row_of_three(2.0, 3.5), between);
+  BOOST_TEST(validate_apart(row_of_three(2.0, 3.5), between) == 0.0);
+  BOOST_TEST(validate_apart(row_of_three(2.0 - 0x1p-39, 3.5), between) == 0x1p-39);
+  CHECK_REFUSED(validate_apart(row_of_three(2.0 - 0x1p-36, 3.5), between), "spheres 0 and 1 overlap by 1.45");
   CHECK_REFUSED(validate_apart(row_of_three(1.9, 3.0), open),
                 "no two spheres may overlap, nor a sphere and a wall; spheres 1 and 2 overlap by 0.3999");
   CHECK_REFUSED(validate_apart(row_of_three(1.5, 3.0), open), "spheres 0 and 1 overlap by 0.5 m, deepest of all");

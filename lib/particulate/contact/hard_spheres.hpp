@@ -66,7 +66,7 @@ schemes::Outcome advance(const Gas& gas, schemes::State& state, double t_end, co
 /// or until it meets a wall. There the impulses of section 2.2 act at once, with the same restitution and friction as
 /// in Contact and LocatedContact, of which this is the limit without forces. The cost of an impact hardly depends on
 /// the number of bodies: each is looked for among those near it, in cells that bodies leave as events of their own, and
-/// the first event of all stands at the top of a heap.
+/// the first event of all stands at the top of a tree.
 ///
 ///     HardSpheres gas(particles, {.lengths = {1, 1, 1}}, ConstantRestitution{0.9});
 ///     State state = start(gas);

@@ -5,7 +5,6 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <numbers>
 #include <numeric>
 #include <stdexcept>
@@ -206,11 +205,13 @@ namespace {
 
 // What overlaps deepest: two spheres, or one and a wall.
 struct Deepest {
-  double depth = 0.0;
+  double depth = 0.0, within_rounding = 0.0;  // beyond what rounding explains, and not
   Eigen::Index i = -1, j = -1, wall = -1;
 };
 
 Deepest deepest_overlap(const Particles& particles, const Space& domain) {
+  // Of places and radii: roundings of a long run add up.
+  constexpr double added_up = 1e-12;
   const Eigen::VectorXd inverse_mass = inverse_masses(particles), &radius = particles.radius;
   const Eigen::RowVector3d extent = particles.position.colwise().maxCoeff() - particles.position.colwise().minCoeff();
   const double largest = radius.maxCoeff();
@@ -221,8 +222,10 @@ Deepest deepest_overlap(const Particles& particles, const Space& domain) {
   for (Eigen::Index i = 0; i < particles.size(); ++i) {
     const Eigen::Vector3d here = particles.position.row(i);
     const auto look_at = [&](double gap, double far, Eigen::Index j, Eigen::Index wall) {
-      const double roundings = 8.0 * std::numeric_limits<double>::epsilon() * far;
-      if (-gap > std::max(worst.depth, roundings)) worst = {.depth = -gap, .i = i, .j = j, .wall = wall};
+      double& deepest = -gap > added_up * far ? worst.depth : worst.within_rounding;
+      if (-gap <= deepest) return;
+      deepest = -gap;
+      if (&deepest == &worst.depth) worst.i = i, worst.j = j, worst.wall = wall;
     };
     const int any_level = 0;
     cells.near(here, radius[i], any_level, [&](const auto& body) {
@@ -242,17 +245,16 @@ Deepest deepest_overlap(const Particles& particles, const Space& domain) {
 
 }  // namespace
 
-void validate_apart(const Particles& particles, const Space& domain) {
+double validate_apart(const Particles& particles, const Space& domain) {
   validate(particles);
   validate(domain);
-  if (particles.size() == 0) return;
-  const Deepest worst = deepest_overlap(particles, domain);
-  if (worst.i < 0) return;
+  const Deepest worst = particles.size() > 0 ? deepest_overlap(particles, domain) : Deepest{};
+  if (worst.i < 0) return worst.within_rounding;
   const std::string who = worst.wall < 0 ? fmt::format("spheres {} and {}", worst.j, worst.i)
                                          : fmt::format("sphere {} and wall {}", worst.i, worst.wall);
   throw std::invalid_argument(fmt::format(
       "start: no two spheres may overlap, nor a sphere and a wall; {} overlap by {} m, deepest of all: move "
-      "them apart, or make them smaller",
+      "them apart, make them smaller, or take stepped contacts (Contact)",
       who, worst.depth));
 }
 

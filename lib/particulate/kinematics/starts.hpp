@@ -97,13 +97,15 @@ Vectors lattice(Lattice kind, Eigen::Index N, double edge);
 /// @throws std::invalid_argument with file and line, what must stand there and what does; and as validate() does
 Particles particles_from(const std::vector<std::vector<std::string>>& lines, const std::string& origin);
 
-/// Refuses spheres that overlap each other or a wall, by more than the roundings of their places. A scene does not, as
-/// stepped contact takes what has come to overlap apart again: for starts that come from elsewhere.
+/// Refuses spheres that overlap each other or a wall by more than roundings may add up to, 1e-12 of their places and
+/// radii. A scene does not, as stepped contact takes what has come to overlap apart again: for starts that come from
+/// elsewhere.
 ///
 /// @param particles  a start; two that are immovable may overlap
 /// @param domain     whose distances count, and whose walls
+/// @return the deepest overlap, which roundings explain, or 0 [m]
 /// @throws std::invalid_argument naming the deepest overlap, and whose it is; and as validate() does
-void validate_apart(const Particles& particles, const Space& domain);
+double validate_apart(const Particles& particles, const Space& domain);
 
 /// An order in which bodies that are near each other come after each other, for memory to be read in its order: along a
 /// curve that fills space cell by cell (Morton's).

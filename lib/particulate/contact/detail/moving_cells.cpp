@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <map>
 #include <utility>
 
 namespace particulate::contact::detail {
@@ -57,7 +58,9 @@ double cell_edge(const kinematics::Space& domain, const kinematics::VectorsIn& p
 
 MovingCells::MovingCells(const kinematics::Space& domain, const Eigen::Vector3d& extent, double edge,
                          const Eigen::VectorXd& radius) {
-  const int top = level_of(radius.maxCoeff(), edge);
+  std::map<int, double> largest;  // of each level
+  for (const double b : radius) largest[level_of(b, edge)] = std::max(largest[level_of(b, edge)], b);
+  const int top = largest.rbegin()->first;
   for (std::size_t k = 0; k < 3; ++k) {
     const double length = domain.lengths[static_cast<Eigen::Index>(k)];
     const bool repeats = std::isfinite(length);
@@ -68,34 +71,54 @@ MovingCells::MovingCells(const kinematics::Space& domain, const Eigen::Vector3d&
     const double own = repeats ? length / static_cast<double>(cells) : edge;
     axes_[k] = {.edge = own, .per_length = 1.0 / own, .repeats = repeats, .cells = cells};
   }
-  std::vector<std::int32_t> level_at(static_cast<std::size_t>(top) + 1, -1);
-  for (const double b : radius) {
-    const int number = level_of(b, edge);
-    std::int32_t& here = level_at[static_cast<std::size_t>(number)];
-    if (here < 0) {
-      here = static_cast<std::int32_t>(levels_.size());
-      levels_.push_back({.number = number, .largest = 0.0, .lists = {}, .head = {}});
-    }
-    Level& level = levels_[static_cast<std::size_t>(here)];
-    level.largest = std::max(level.largest, b);
-    residents_.push_back({.cell = {}, .level = here, .next = -1, .before = -1, .radius = b});
-  }
-  for (Level& level : levels_) {
-    std::size_t lists = 1;
+  for (const auto& [number, b] : largest) {
+    Level level{.number = number, .largest = b, .lists = {}, .head = {}};
     for (std::size_t k = 0; k < 3; ++k) {
-      const double wide = extent[static_cast<Eigen::Index>(k)] / std::ldexp(edge, level.number);
+      const double wide = extent[static_cast<Eigen::Index>(k)] / std::ldexp(edge, number);
       level.lists[k] = axes_[k].repeats
-                           ? axes_[k].cells >> level.number
+                           ? axes_[k].cells >> number
                            : static_cast<std::int64_t>(std::bit_ceil(static_cast<std::uint64_t>(wide) + 1));
-      lists *= static_cast<std::size_t>(level.lists[k]);
     }
-    level.head.assign(lists, -1);
+    level.head.assign(static_cast<std::size_t>(level.lists[0] * level.lists[1] * level.lists[2]), -1);
+    levels_.push_back(std::move(level));
+  }
+}
+
+void MovingCells::add(const Eigen::Vector3d& place, double radius) {
+  std::size_t level = 0;
+  while (radius > levels_[level].largest) ++level;
+  Resident one{.cell = {}, .level = level};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto cell = static_cast<std::int64_t>(std::floor(place[static_cast<Eigen::Index>(k)] * axes_[k].per_length));
+    one.cell[k] = axes_[k].repeats ? std::clamp(cell, std::int64_t{0}, axes_[k].cells - 1) : cell;
+  }
+  residents_.push_back(one);
+  next_.push_back(-1);
+  link(static_cast<std::int32_t>(residents_.size()) - 1);
+}
+
+std::vector<std::int32_t> MovingCells::in_order() const {
+  std::vector<std::int32_t> order;
+  for (const Level& level : levels_) {
+    for (std::int32_t i : level.head) {
+      for (; i >= 0; i = next_[static_cast<std::size_t>(i)]) order.push_back(i);
+    }
+  }
+  return order;
+}
+
+void MovingCells::renumber(const std::vector<std::int32_t>& order) {
+  const std::vector<Resident> old = residents_;
+  for (Level& level : levels_) std::fill(level.head.begin(), level.head.end(), -1);
+  for (std::size_t k = order.size(); k-- > 0;) {
+    residents_[k] = old[static_cast<std::size_t>(order[k])];
+    link(static_cast<std::int32_t>(k));
   }
 }
 
 std::int32_t& MovingCells::list_of(std::int32_t i) {
-  const Resident& one = residents_[static_cast<std::size_t>(i)];
-  Level& level = levels_[static_cast<std::size_t>(one.level)];
+  const Resident& one = at(i);
+  Level& level = levels_[one.level];
   std::int64_t list = 0;
   for (std::size_t k = 3; k-- > 0;) {
     list = list * level.lists[k] + place(level, k, one.cell[k] >> level.number).list;
@@ -103,27 +126,7 @@ std::int32_t& MovingCells::list_of(std::int32_t i) {
   return level.head[static_cast<std::size_t>(list)];
 }
 
-void MovingCells::link(std::int32_t i) {
-  Resident& one = residents_[static_cast<std::size_t>(i)];
-  one.next = std::exchange(list_of(i), i);
-  one.before = -1;
-  if (one.next >= 0) residents_[static_cast<std::size_t>(one.next)].before = i;
-}
-
-void MovingCells::unlink(std::int32_t i) {
-  const Resident& one = at(i);
-  (one.before >= 0 ? residents_[static_cast<std::size_t>(one.before)].next : list_of(i)) = one.next;
-  if (one.next >= 0) residents_[static_cast<std::size_t>(one.next)].before = one.before;
-}
-
-void MovingCells::insert(std::int32_t i, const Eigen::Vector3d& place) {
-  for (std::size_t k = 0; k < 3; ++k) {
-    const auto cell = static_cast<std::int64_t>(std::floor(place[static_cast<Eigen::Index>(k)] * axes_[k].per_length));
-    residents_[static_cast<std::size_t>(i)].cell[k] =
-        axes_[k].repeats ? std::clamp(cell, std::int64_t{0}, axes_[k].cells - 1) : cell;
-  }
-  link(i);
-}
+void MovingCells::link(std::int32_t i) { next_[static_cast<std::size_t>(i)] = std::exchange(list_of(i), i); }
 
 double MovingCells::cross(std::int32_t i, Eigen::Index axis, bool upwards) {
   const auto k = static_cast<std::size_t>(axis);
@@ -134,11 +137,16 @@ double MovingCells::cross(std::int32_t i, Eigen::Index axis, bool upwards) {
     periods = upwards ? -1.0 : 1.0;
     next = upwards ? 0 : axes_[k].cells - 1;
   }
-  const int number = levels_[static_cast<std::size_t>(at(i).level)].number;
-  const bool moves = (next >> number) != (cell >> number);
-  if (moves) unlink(i);
+  const int number = levels_[at(i).level].number;
+  if ((next >> number) == (cell >> number)) {
+    cell = next;
+    return periods;
+  }
+  std::int32_t* link_to = &list_of(i);
+  while (*link_to != i) link_to = &next_[static_cast<std::size_t>(*link_to)];
+  *link_to = next_[static_cast<std::size_t>(i)];
   cell = next;
-  if (moves) link(i);
+  link(i);
   return periods;
 }
 

@@ -20,15 +20,23 @@ namespace particulate::contact::detail {
 // where space does not repeat itself the lists do, and spheres far from one another may share one.
 class MovingCells {
  public:
-  // Sorts nobody yet; edge is about that of a cell, extent that of the places where space does not repeat itself [m].
+  // Of nobody yet; edge is about that of a cell, extent that of the places where space does not repeat itself [m].
   MovingCells(const kinematics::Space& domain, const Eigen::Vector3d& extent, double edge,
               const Eigen::VectorXd& radius);
 
-  // Lists a sphere at a place of the first period.
-  void insert(std::int32_t i, const Eigen::Vector3d& place);
-  // Where the cell of a sphere begins and ends.
-  double low(std::int32_t i, Eigen::Index axis) const { return edge(i, axis, 0); }
-  double high(std::int32_t i, Eigen::Index axis) const { return edge(i, axis, 1); }
+  // Adds the next sphere, at a place of the first period.
+  void add(const Eigen::Vector3d& place, double radius);
+  // The numbers of all spheres, list by list.
+  std::vector<std::int32_t> in_order() const;
+  // Gives sphere order[k] the number k.
+  void renumber(const std::vector<std::int32_t>& order);
+
+  // Where the cell of a sphere ends.
+  double end(std::int32_t i, Eigen::Index axis, bool upwards) const {
+    const auto k = static_cast<std::size_t>(axis);
+    return static_cast<double>(at(i).cell[k] + (upwards ? 1 : 0)) * axes_[k].edge;
+  }
+  const void* where(std::int32_t i) const { return &at(i); }
   // Has a sphere step into the next cell: returns the periods by which its place is to be moved.
   double cross(std::int32_t i, Eigen::Index axis, bool upwards);
 
@@ -38,20 +46,16 @@ class MovingCells {
   void near(std::int32_t i, F&& visit) const {
     for (const Level& level : levels_) visit_cut(level, cut(level, i), visit);
   }
-  // The same of those alone that it may touch since it has crossed into its cell.
+  // The same of those alone that it may touch since it has crossed into its cell. Levels shift to whole cells towards
+  // minus infinity.
   template <class F>
   void news(std::int32_t i, Eigen::Index axis, bool upwards, F&& visit) const {
     for (const Level& level : levels_) {
       Cut all = cut(level, i);
-      auto& [first, last] = all[static_cast<std::size_t>(axis)];
-      // Levels shift to whole cells towards minus infinity.
-      const std::int64_t reach = reach_of(level, i, axis), here = at(i).cell[static_cast<std::size_t>(axis)];
-      if (upwards) {
-        first = ((here + reach - 1) >> level.number) + 1;
-      } else {
-        last = ((here - reach + 1) >> level.number) - 1;
-      }
-      if (first <= last) visit_cut(level, all, visit);
+      const auto k = static_cast<std::size_t>(axis);
+      const std::int64_t reach = reach_of(level, i, k), now_reached = at(i).cell[k] + (upwards ? reach : -reach);
+      all[k] = {now_reached >> level.number, now_reached >> level.number};
+      visit_cut(level, all, visit);
     }
   }
 
@@ -69,37 +73,33 @@ class MovingCells {
   };
   struct Resident {
     std::array<std::int64_t, 3> cell;
-    std::int32_t level, next, before;  // neighbours in its list
-    double radius;
+    std::size_t level;
   };
   struct Interval {
     std::int64_t first, last;
   };
   using Cut = std::array<Interval, 3>;
-
-  const Resident& at(std::int32_t i) const { return residents_[static_cast<std::size_t>(i)]; }
-  double edge(std::int32_t i, Eigen::Index axis, std::int64_t beyond) const {
-    const auto k = static_cast<std::size_t>(axis);
-    return static_cast<double>(at(i).cell[k] + beyond) * axes_[k].edge;
-  }
-  // In cells of level zero, rounded up.
-  std::int64_t reach_of(const Level& level, std::int32_t i, Eigen::Index axis) const {
-    const double reach = (at(i).radius + level.largest) * axes_[static_cast<std::size_t>(axis)].per_length;
-    return static_cast<std::int64_t>(reach * (1.0 + 1e-9)) + 1;
-  }
-  Cut cut(const Level& level, std::int32_t i) const {
-    Cut all;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::int64_t reach = reach_of(level, i, static_cast<Eigen::Index>(k)), here = at(i).cell[k];
-      all[k] = {(here - reach) >> level.number, (here + reach) >> level.number};
-    }
-    return all;
-  }
   // Along one axis: the list of a cell, and in which period it lies.
   struct Place {
     std::int64_t list;
     double period;
   };
+
+  const Resident& at(std::int32_t i) const { return residents_[static_cast<std::size_t>(i)]; }
+  // In cells of level zero, rounded up: the same of all of two levels, so that of two who come within reach one crosses
+  // into it, and sees the other there.
+  std::int64_t reach_of(const Level& level, std::int32_t i, std::size_t k) const {
+    const double reach = (levels_[at(i).level].largest + level.largest) * axes_[k].per_length;
+    return static_cast<std::int64_t>(reach * (1.0 + 1e-9)) + 1;
+  }
+  Cut cut(const Level& level, std::int32_t i) const {
+    Cut all;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::int64_t reach = reach_of(level, i, k), here = at(i).cell[k];
+      all[k] = {(here - reach) >> level.number, (here + reach) >> level.number};
+    }
+    return all;
+  }
   Place place(const Level& level, std::size_t k, std::int64_t cell) const {
     const std::int64_t lists = level.lists[k];
     if (!axes_[k].repeats) return {cell & (lists - 1), 0.0};
@@ -122,28 +122,34 @@ class MovingCells {
       if (!axes_[k].repeats) count[k] = std::min(count[k], level.lists[k]);
       first[k] = place(level, k, all[k].first);
     }
+    // Copies: what visit() writes might be members.
+    const std::int32_t *const head = level.head.data(), *const next = next_.data();
+    const std::int64_t row_lists = level.lists[0];
+    const double turn = axes_[0].repeats ? 1.0 : 0.0;
     Place z = first[2];
-    for (std::int64_t c = 0; c < count[2]; ++c, step(level, 2, z)) {
+    for (std::int64_t c = count[2]; c > 0; --c, step(level, 2, z)) {
       Place y = first[1];
-      for (std::int64_t b = 0; b < count[1]; ++b, step(level, 1, y)) {
-        const std::size_t row = static_cast<std::size_t>((z.list * level.lists[1] + y.list) * level.lists[0]);
+      for (std::int64_t b = count[1]; b > 0; --b, step(level, 1, y)) {
+        const std::int32_t* const row = head + (z.list * level.lists[1] + y.list) * row_lists;
         Place x = first[0];
-        for (std::int64_t a = 0; a < count[0]; ++a, step(level, 0, x)) {
-          std::int32_t j = level.head[row + static_cast<std::size_t>(x.list)];
-          if (j < 0) continue;
-          const Eigen::Vector3d image(x.period, y.period, z.period);
-          for (; j >= 0; j = at(j).next) visit(j, image);
+        for (std::int64_t a = count[0]; a > 0; --a) {
+          for (std::int32_t j = row[x.list]; j >= 0; j = next[j]) {
+            visit(j, Eigen::Vector3d(x.period, y.period, z.period));
+          }
+          if (++x.list < row_lists) continue;
+          x.list = 0;
+          x.period += turn;
         }
       }
     }
   }
   std::int32_t& list_of(std::int32_t i);
   void link(std::int32_t i);
-  void unlink(std::int32_t i);
 
   std::array<Axis, 3> axes_{};
   std::vector<Level> levels_;
   std::vector<Resident> residents_;
+  std::vector<std::int32_t> next_;  // of each sphere in its list; negative: none
 };
 
 // The edge of cells of which there are up to four a body, that are not smaller than most bodies, and whose
