@@ -2,6 +2,8 @@
 //! @brief Spheres without forces, followed exactly from impact to impact, against the kinetic theory of gases.
 //! @tableofcontents
 //!
+//! @section ch04_gas_question A cloud without end
+//!
 //! Case (1) has no near field. Let such a cloud fill a box that repeats itself without end, and it is a *gas*, of which
 //! kinetic theory foretells how often its spheres meet, how hard, and what they lose by it. The monograph goes no further
 //! than the energy in time; here is what that must be.
