@@ -85,7 +85,9 @@ void contacts(const Parameters& p, const report::Output& output, bool quick, rep
   //! The same with contact. A ball falls on a floor and rises again with e times its speed, so the moments of its
   //! impacts, \f$ t_1 (1 + 2 e + 2 e^2 + \dots) \f$ with \f$ t_1 = \sqrt{2h/g} \f$, come ever closer and end at
   //! \f$ t_1 (1+e)/(1-e) \f$. A stepped contact, that of @ref ch02_stepped "chapter 2", is found at the end of a step; a
-  //! particulate::contact::LocatedContact ends the step.
+  //! particulate::contact::LocatedContact ends the step. It is for bodies that forces act on between their impacts. Without
+  //! any, from impact to impact they fly straight, and the gas of hard spheres of @ref ch04_gas "chapter 4" takes over:
+  //! the same impacts, without a scheme.
 
   const double g = 9.81, first_impact = std::sqrt(2.0 * p.drop / g);
   const auto ball = kinematics::particles({{.position = {0.0, 0.0, p.drop + 0.1}, .mass = 1.0, .radius = 0.1}});

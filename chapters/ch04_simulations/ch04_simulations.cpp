@@ -16,6 +16,7 @@
 //!
 //! - What becomes of the energy with four near fields, by the monograph's own way? @subpage ch04_clouds
 //! - And what, when the step is made smaller, or contacts are located? @subpage ch04_steps
+//! - Without a near field, what does kinetic theory foretell, and where does it fail? @subpage ch04_gas
 //! - What does it take to cut such a run short, and go on? @subpage ch04_journal
 //!
 //! Build and run it alone with
@@ -25,7 +26,8 @@
 //! build/release/bin/ch04_simulations --out ch04
 //! @endverbatim
 //!
-//! With a thousand spheres that takes some ten minutes, with `--quick` and two hundred some ten seconds.
+//! With a thousand spheres that takes some ten minutes, with `--quick` and two hundred some twenty seconds, a good part of
+//! them for the hundred thousand spheres of a gas.
 //! `--checkpoint 0.1` saves the runs after every tenth of a second of their motion, and `--restart ch04/checkpoint.bin`
 //! goes on from there.
 //! `--snapshots "0 0.5 1"` writes `cloud.xyz` for OVITO and `cloud_000.vtp` and so on for ParaView.
@@ -135,6 +137,7 @@ void run(const Parameters& p, report::Chapter& chapter) {
   check_start(cloud, checks);
   clouds(p, journal, chapter.output(), checks);
   steps(p, journal, chapter, checks);
+  gas(p, chapter, checks);
   write_snapshots(p, journal, chapter.output());
 }
 

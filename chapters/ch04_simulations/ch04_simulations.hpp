@@ -49,6 +49,13 @@ struct Parameters {
   double& duration = line.field(1.0, {"duration", "of the motion", "s", between(0.1, 2.0), "4.1"});
   int& watched =
       line.field(2, {"watched", "case that is drawn and gives the snapshots, 1 to 4", "-", between(1, 4), ours});
+  int& gas_side = line.field(16, {"gas_side", "spheres along an edge of a gas", "-", between(8, 30), ours});
+  double& gas_fraction =
+      line.field(0.1, {"gas_fraction", "of its volume that a gas fills", "-", between(0.01, 0.3), ours});
+  int& picture_side = line.field(47, {"picture_side", "the same of the gas that is drawn", "-", between(8, 60), ours});
+  double& picture_e = line.field(0.4, {"picture_e", "its restitution", "-", between(0.3, 0.95), ours});
+  double& picture_impacts =
+      line.field(25.0, {"picture_impacts", "of each of its spheres, by theory", "-", between(1.0, 60.0), ours});
   double& checkpoint =
       line.field(0.0, {"checkpoint", "a run can go on from every so many seconds of its motion; 0: it cannot", "s",
                        between(0.0, 100.0), ours});
@@ -147,5 +154,6 @@ class Journal {
 
 void clouds(const Parameters& p, Journal& journal, const report::Output& output, report::Checks& checks);
 void steps(const Parameters& p, Journal& journal, report::Chapter& chapter, report::Checks& checks);
+void gas(const Parameters& p, report::Chapter& chapter, report::Checks& checks);
 
 }  // namespace ch04

@@ -24,7 +24,7 @@
 namespace ch04 {
 
 //! Without a near field there is nothing to integrate between two impacts. So we follow case (1) once more as a gas of
-//! hard spheres (particulate::contact::HardSpheres), which flies from impact to impact and knows no step.
+//! hard spheres, which flies from impact to impact and knows no step: @ref ch04_gas "its page" says how.
 
 void add_gas(const Parameters& p, const kinematics::Particles& cloud, report::Table& ends) {
   contact::HardSpheres gas(cloud, kinematics::Space{}, restitution_of(p), friction_of(p));
@@ -97,7 +97,7 @@ void steps(const Parameters& p, Journal& journal, report::Chapter& chapter, repo
 
 //! @section ch04_steps_results What is left of the differences
 //!
-//! @figure{ch04_steps, Relative energy at the end against the limit of the step\, for the four near fields: backward Euler (full)\, Verlet (broken)\, and with located contacts (thin lines).}
+//! @figure{ch04_steps, Relative energy at the end against the limit of the step\, for the four near fields: backward Euler (full)\, Verlet (broken)\, with located contacts (thin lines)\, and of case (1) as a gas of hard spheres (broad line).}
 //!
 //! @table{ch04_ends}
 //!

@@ -26,7 +26,12 @@ constexpr std::array features{
             "restitution_law_used"},
     Feature{"periods", "near field cut off, contact", "periods_absent", "periods_idle", "periods_used"},
     Feature{"neighbours", "gravity, 1728 particles", "neighbours_absent", "neighbours_idle", "neighbours_used"},
-    Feature{"history", "gravity, near field", "history_absent", "history_idle", "history_used"}};
+    Feature{"history", "gravity, near field", "history_absent", "history_idle", "history_used"},
+    Feature{"wall of a gas", "hard spheres", "gas_wall_absent", "gas_wall_idle", "gas_wall_used"},
+    Feature{"friction of a gas", "hard spheres, box", "gas_wall_used", "gas_friction_idle", "gas_friction_used"},
+    Feature{"contact time of a gas", "hard spheres, box", "gas_wall_used", "gas_contact_time_idle",
+            "gas_contact_time_used"},
+    Feature{"recorder of a gas", "hard spheres, box", "gas_wall_used", "gas_recorder_idle", "gas_recorder_used"}};
 
 void add_line(particulate::report::Table& table, const std::string& feature, const std::string& state,
               const std::string& surroundings, const StepCost& cost) {
@@ -84,7 +89,8 @@ void claim_states(Rows& rows, const StepCosts& costs) {
                   .tolerance = absolute(0.0),
                   .because = "a step without impacts needs no memory that the step before did not have"});
   }
-  for (const char* const scene : {"contact_used", "friction_used", "restitution_law_used"}) {
+  for (const char* const scene : {"contact_used", "friction_used", "restitution_law_used", "gas_wall_used",
+                                  "gas_friction_used", "gas_contact_time_used", "gas_recorder_used"}) {
     rows.at_least(fmt::format("{}: impacts a step", scene),
                   {.limit = 1.0, .computed = costs.of(scene).impacts, .because = "else it is not used"});
   }

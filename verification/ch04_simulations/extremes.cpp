@@ -1,12 +1,18 @@
 // Extreme cases: clouds that must be solved, and starts that must be refused.
 
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
 #include <fmt/format.h>
 
 #include <harness/case.hpp>
 #include <harness/endings.hpp>
 #include <harness/motions.hpp>
+#include <particulate/contact/hard_spheres.hpp>
 #include <particulate/contact/located_contact.hpp>
 #include <particulate/kinematics/energy.hpp>
+#include <particulate/kinematics/momentum.hpp>
 #include <particulate/scenes/checkpoint.hpp>
 #include <particulate/scenes/scene.hpp>
 #include <particulate/schemes/collocation.hpp>
@@ -138,9 +144,100 @@ Ending a_million_periods_away() {
   return Ending::solved({.error = off, .tolerance = 0.0, .because = "every number on the way is exact"});
 }
 
+// Side by side, at the same velocity.
+Ending few_in_a_gas(Eigen::Index N) {
+  kinematics::Particles all{.position = kinematics::Vectors::Constant(N, 3, 0.25),
+                            .velocity = kinematics::Vectors::Constant(N, 3, 0.5),
+                            .mass = Eigen::VectorXd::Ones(N),
+                            .radius = Eigen::VectorXd::Constant(N, 0.1)};
+  if (N == 2) all.position.row(1).setConstant(0.75);
+  contact::HardSpheres<> gas(all, periods);
+  schemes::State state = start(gas);
+  const schemes::Outcome outcome = gas.advance(state, 1.0);
+  require_reached(outcome);
+  const Eigen::VectorXd exact = (all.position.array() + 0.5).reshaped();
+  return Ending::solved({.error = (state.r - exact).lpNorm<1>() + static_cast<double>(outcome.impacts),
+                         .tolerance = 0.0,
+                         .because = "none meets another, and free flight over powers of two has no rounding"});
+}
+
+// One rests between two that come to touch it at the same moment. In turn, with equal masses and e = 1/2, along x:
+// (1, 0, -1) -> (1/4, 3/4, -1) -> (1/4, -9/16, 5/16) -> (-23/64, 3/64, 5/16).
+Ending three_meet() {
+  kinematics::Particles all = kinematics::particles(
+      {{.position = {0.25, 0.5, 0.5}, .velocity = {0.25, 0.0, 0.0}, .mass = 1.0, .radius = 0.0625},
+       {.position = {0.5, 0.5, 0.5}, .velocity = {0.0, 0.0, 0.0}, .mass = 1.0, .radius = 0.0625},
+       {.position = {0.75, 0.5, 0.5}, .velocity = {-0.25, 0.0, 0.0}, .mass = 1.0, .radius = 0.0625}});
+  contact::HardSpheres<> gas(all, periods, {0.5});
+  schemes::State state = start(gas);
+  const schemes::Outcome outcome = gas.advance(state, 1.0);
+  require_reached(outcome);
+  const Eigen::Vector3d exact = 0.25 * Eigen::Vector3d(-23.0, 3.0, 20.0) / 64.0;
+  return Ending::solved(
+      {.error = (state.v.head(3) - exact).lpNorm<1>() + std::abs(static_cast<double>(outcome.impacts) - 3.0),
+       .tolerance = 0.0,
+       .because = "resolved pair by pair in the order of their numbers until none approach; every number is exact"});
+}
+
+// Large spheres with a hundred times the radius and a million times the mass of the small ones between them, slower, so
+// that both carry energy.
+kinematics::Particles mixed(Eigen::Index large, Eigen::Index small) {
+  Uniform uniform(7);
+  constexpr double b = 0.002;
+  const Eigen::Index N = large + small;
+  kinematics::Particles all{.position = {},
+                            .velocity = random_places(uniform, N).array() - 0.5,
+                            .mass = Eigen::VectorXd::Ones(N),
+                            .radius = Eigen::VectorXd::Constant(N, b)};
+  all.velocity.topRows(large) *= 0.1;
+  all.radius.head(large).setConstant(100.0 * b);
+  all.mass.head(large).setConstant(1e6);
+  all.position = kinematics::random_addition(all.radius, {.domain = periods}, [&] { return uniform(); }).position;
+  return all;
+}
+
+// Over all pairs, by the nearest images of their places alone. [m]
+double deepest_of_all(const Eigen::VectorXd& radius, const schemes::State& state) {
+  const auto r = rows_of(state.r);
+  double deepest = 0.0;
+  for (Eigen::Index i = 0; i < radius.size(); ++i) {
+    for (Eigen::Index j = 0; j < i; ++j) {
+      const auto apart = [&](Eigen::Index axis) { return std::remainder(r(i, axis) - r(j, axis), 1.0); };
+      deepest = std::max(deepest, radius[i] + radius[j] - std::hypot(apart(0), apart(1), apart(2)));
+    }
+  }
+  return deepest;
+}
+
+Ending size_ratio_100(Eigen::Index large, Eigen::Index small) {
+  const kinematics::Particles all = mixed(large, small);
+  contact::HardSpheres<> gas(all, periods);
+  schemes::State state = start(gas);
+  long of_large = 0, of_small = 0;
+  const schemes::Outcome outcome =
+      gas.advance(state, 4.0, [&](const contact::Collision& one) { (one.i < large ? of_large : of_small) += 1; });
+  require_reached(outcome);
+  if (of_large < 500 || of_small < 50) {
+    throw std::runtime_error(fmt::format("too few impacts to say anything, {} and {}", of_large, of_small));
+  }
+  const double before = kinematics::kinetic_energy(all.mass, all.velocity);
+  const Eigen::Vector3d momentum = kinematics::linear_momentum(all.mass, all.velocity);
+  const double off_energy = std::abs(kinematics::kinetic_energy(all.mass, rows_of(state.v)) / before - 1.0);
+  const double off_momentum = (kinematics::linear_momentum(all.mass, rows_of(state.v)) - momentum).norm() /
+                              all.mass.dot(all.velocity.rowwise().norm());
+  const double overlap = deepest_of_all(all.radius, state) / all.radius.minCoeff();
+  return Ending::solved({.error = std::max({off_energy, off_momentum, overlap}),
+                         .tolerance = 1e-12,
+                         .because =
+                             "thousands of impacts, each with the roundings of its velocities; places of a metre "
+                             "are rounded to 1e-13 of the small radius"});
+}
+
 const Case solved{
     {.name = "clouds_extremes_solved",
-     .claim = "clouds of none, of a million, of any restitution and across any number of periods are solved",
+     .claim =
+         "clouds and gases of none, of a million, of any restitution, of sizes and masses far apart and across any "
+         "number of periods are solved",
      .equation = "R 4.1",
      .reference = Reference::closed_form},
     [](Rows& rows) {
@@ -154,6 +251,14 @@ const Case solved{
       rows.must_be_solved("a million in free flight (quick: 1e5)",
                           [&] { return many(rows.quick() ? 100'000 : 1'000'000); });
       rows.must_be_solved("free flight over a million periods", a_million_periods_away);
+      for (const Eigen::Index N : {0, 1, 2}) {
+        rows.must_be_solved(fmt::format("a gas of {}", N), [&] { return few_in_a_gas(N); });
+      }
+      rows.must_be_solved("a gas of three that meet in one moment", three_meet);
+      rows.must_be_solved("a gas of sizes 1:100 and masses 1:1e6, one large among 2000",
+                          [] { return size_ratio_100(1, 2000); });
+      rows.must_be_solved("the same, eight among 8000 (quick: 2000)",
+                          [&] { return size_ratio_100(8, rows.quick() ? 2000 : 8000); });
     }};
 
 void refuse_spaces(Rows& rows) {

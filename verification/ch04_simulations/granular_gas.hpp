@@ -45,7 +45,7 @@ inline double temperature(const particulate::schemes::State& state) {
 
 /// Spheres at random, with evenly distributed velocities of the temperature 1 and without common motion: no equilibrium
 /// yet.
-inline particulate::contact::HardSpheres<> gas_of(const GranularGas& of, double e, std::uint64_t seed) {
+inline particulate::contact::HardSpheres<> elastic_gas(const GranularGas& of, std::uint64_t seed) {
   Uniform uniform(seed);
   const particulate::kinematics::Space cube{.lengths = Eigen::Vector3d::Ones()};
   particulate::kinematics::Particles all{.position = {},
@@ -56,7 +56,7 @@ inline particulate::contact::HardSpheres<> gas_of(const GranularGas& of, double 
       particulate::kinematics::random_addition(all.radius, {.domain = cube}, [&] { return uniform(); }).position;
   all.velocity.rowwise() -= all.velocity.colwise().mean().eval();
   all.velocity *= std::sqrt(3.0 * static_cast<double>(of.N) / all.velocity.squaredNorm());
-  return particulate::contact::HardSpheres<>(std::move(all), cube, {e});
+  return particulate::contact::HardSpheres<>(std::move(all), cube);
 }
 
 /// Values of several runs of the same kind.

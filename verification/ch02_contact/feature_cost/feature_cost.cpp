@@ -8,6 +8,7 @@
 
 #include <harness/counted_program.hpp>
 #include <particulate/contact/contact.hpp>
+#include <particulate/contact/hard_spheres.hpp>
 #include <particulate/laws/gravity.hpp>
 #include <particulate/laws/near_field.hpp>
 #include <particulate/scenes/history.hpp>
@@ -122,6 +123,28 @@ CountedRun forces(long steps, bool with_energy) {
   return run;
 }
 
+// A gas of hard spheres, which has no steps: as long as so many of a scene would take.
+template <class FrictionLaw = contact::Frictionless>
+CountedRun gas(const Space& space, long steps, const FrictionLaw& friction = {}, double contact_time = 0.0,
+               const contact::CollisionRecorder& recorder = {}) {
+  contact::HardSpheres spheres(thick, space, contact::ConstantRestitution{0.9}, friction, contact_time);
+  schemes::State motion = start(spheres);
+  const schemes::Outcome out = spheres.advance(motion, dt * static_cast<double>(steps), recorder);
+  if (out.status != schemes::Status::reached) throw std::runtime_error(out.reason);
+  return {.particles = N, .impacts = out.impacts, .sum = motion.r.sum()};
+}
+
+// With a recorder that adds up what impacts take, or does not.
+CountedRun recorded_gas(long steps, bool adds) {
+  double taken = 0.0;
+  const auto nothing = [](const contact::Collision&) {};
+  const auto add = [&](const contact::Collision& one) { taken += one.energy_change; };
+  CountedRun run = gas(box(0.0), steps, contact::Frictionless{}, 0.0,
+                       adds ? contact::CollisionRecorder(add) : contact::CollisionRecorder(nothing));
+  run.sum += taken;
+  return run;
+}
+
 // What a reader would write without a library: Verlet over three arrays of components, the forces in place, no checks.
 template <class Force>
 CountedRun by_hand(const kinematics::Particles& particles, long steps, const Force& add) {
@@ -232,7 +255,18 @@ const std::array all{
 
     CountedScene{"history_absent", [](long n) { return scene(thin, Space{}, n, weight, field); }},
     CountedScene{"history_idle", [](long n) { return with_history(n, 1e9); }},
-    CountedScene{"history_used", [](long n) { return with_history(n, dt); }}};
+    CountedScene{"history_used", [](long n) { return with_history(n, dt); }},
+
+    CountedScene{"gas_wall_absent", [](long n) { return gas(Space{}, n); }},
+    CountedScene{"gas_wall_idle", [](long n) { return gas(box(100.0), n); }},
+    CountedScene{"gas_wall_used", [](long n) { return gas(box(0.0), n); }},
+    CountedScene{"gas_friction_idle", [](long n) { return gas(box(0.0), n, contact::Friction{}); }},
+    CountedScene{"gas_friction_used",
+                 [](long n) { return gas(box(0.0), n, contact::Friction{.mu_s = 0.02, .mu_d = 0.01}); }},
+    CountedScene{"gas_contact_time_idle", [](long n) { return gas(box(0.0), n, contact::Frictionless{}, 1e-12); }},
+    CountedScene{"gas_contact_time_used", [](long n) { return gas(box(0.0), n, contact::Frictionless{}, 0.02); }},
+    CountedScene{"gas_recorder_idle", [](long n) { return recorded_gas(n, false); }},
+    CountedScene{"gas_recorder_used", [](long n) { return recorded_gas(n, true); }}};
 
 }  // namespace
 
