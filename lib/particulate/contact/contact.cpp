@@ -1,6 +1,7 @@
 #include <particulate/contact/contact.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 
@@ -80,7 +81,7 @@ double travel(const laws::At<laws::Velocity>& at, std::span<const kinematics::Wa
   const auto radius = at.radius.array().max(smallest);
   const auto u = at.velocity.col(0).array(), v = at.velocity.col(1).array(), w = at.velocity.col(2).array();
   const auto squared = (u - u.mean()).square() + (v - v.mean()).square() + (w - w.mean()).square();
-  double farthest = (squared.sqrt() / radius).maxCoeff();
+  double farthest = std::sqrt((squared / radius.square()).maxCoeff());
   for (const kinematics::Wall& wall : walls) {
     const Eigen::Vector3d& n = wall.normal;
     farthest = std::max(farthest, -((n.x() * u + n.y() * v + n.z() * w) / radius).minCoeff());
