@@ -303,6 +303,22 @@ void refuse_starts(Rows& rows) {
     validate_apart(all, periods);
     return accepted();
   });
+  const auto row_of_three = [](double first) {
+    const auto one = [](double x, double v) {
+      return kinematics::Particle{.position = {x, 0.0, 0.0}, .velocity = {v, 0.0, 0.0}, .mass = 1.0, .radius = 0.5};
+    };
+    return kinematics::particles({one(first, -0.125), one(1.0, 0.0), one(3.0, -1.0)});
+  };
+  const auto flown_as_gas = [&](double first, double e) {
+    contact::HardSpheres<> gas(row_of_three(first), {}, {e});
+    schemes::State state = start(gas);
+    return ending_of(gas.advance(state, 2.0));
+  };
+  rows.must_be_refused("a gas of which two overlap", "no two spheres overlap 0 1 0.25",
+                       [&] { return flown_as_gas(0.25, 0.5); });
+  rows.must_be_refused("a gas that collapses",
+                       "particles 0, 1, 2 infinitely often 1.4545 inelastic collapse contact time",
+                       [&] { return flown_as_gas(0.0, 0.05); });
   const std::vector<std::string> header{"x", "y", "z", "vx", "vy", "vz", "m", "b"};
   rows.must_be_refused("a start file with a column too few", "start.csv:2 must 8 columns 7", [&] {
     kinematics::particles_from({header, {"0", "0", "0", "0", "0", "0", "1"}}, "start.csv");

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <harness/case.hpp>
+#include <harness/endings.hpp>
 #include <harness/impacts_by_events.hpp>
 #include <harness/motions.hpp>
 #include <harness/three_body.hpp>
@@ -137,6 +138,76 @@ const Case by_roots{
       rows.at_most("largest difference of a velocity [m/s]", {.limit = 1e-9,
                                                               .computed = (exact.v - state.v).lpNorm<Eigen::Infinity>(),
                                                               .because = "as that of the places"});
+    }};
+
+// Three on a line, of unit mass and diameter: the first has just hit the second, which the third approaches.
+struct Three {
+  schemes::Outcome outcome;
+  schemes::State state;
+  contact::Tally tally;
+};
+Three three(double e, double parting, double contact_time = 0.0) {
+  const auto one = [](double x, double v) {
+    return kinematics::Particle{.position = {x, 0.0, 0.0}, .velocity = {v, 0.0, 0.0}, .mass = 1.0, .radius = 0.5};
+  };
+  contact::HardSpheres gas(kinematics::particles({one(0.0, -parting), one(1.0, 0.0), one(3.0, -1.0)}), {},
+                           contact::ConstantRestitution{e}, contact::Frictionless{}, contact_time);
+  Three run{.outcome = {}, .state = start(gas), .tally = {}};
+  run.outcome = gas.advance(run.state, 100.0);
+  run.tally = gas.tally();
+  return run;
+}
+
+const Case collapse{
+    {.name = "gas_collapse",
+     .claim = "three spheres on a line collapse only if e < 7 - 4 sqrt 3, and when they should; a contact time takes "
+              "them beyond",
+     .equation = "D 2.2",
+     .reference = Reference::closed_form},
+    [](Rows& rows) {
+      const Three whole = three(0.05, 0.125);
+      rows.compare("runs that end so, e = 0.05",
+                   {.expected = 1.0,
+                    .computed = whole.outcome.failure == schemes::Failure::accumulating ? 1.0 : 0.0,
+                    .tolerance = absolute(0.0),
+                    .because = "said by the outcome, not guessed from a time"});
+      rows.compare("its time, e = 0.05 [s]",
+                   {.expected = 16.0 / 11.0,
+                    .computed = whole.outcome.accumulation,
+                    .tolerance = relative(1e-8),
+                    .because = "each impact leaves the mirror image of the one before, speeds 0.4 and times 0.3125 as "
+                               "large; what is left of gaps in the rounding of places would take 1e-9 s"});
+      const Three beyond = three(0.05, 0.125, 1e-3);
+      require_reached(beyond.outcome);
+      rows.at_least(
+          "impacts that a contact time made elastic",
+          {.limit = 1.0, .computed = static_cast<double>(beyond.tally.elastic_impacts), .because = "else none"});
+      rows.at_most("momentum of x then, error",
+                   {.limit = 1e-14,
+                    .computed = std::abs(beyond.state.v.head(3).sum() + 1.125),
+                    .because = "some ten impacts, each with a rounding or two of velocities up to 1"});
+      rows.at_least("speed at which the first two part then, and the last two",
+                    {.limit = 0.0,
+                     .computed = std::min(beyond.state.v[1] - beyond.state.v[0], beyond.state.v[2] - beyond.state.v[1]),
+                     .because = "none approaches another, so it is over"});
+      constexpr int starts = 400;
+      const auto collapsed = [](double e) {
+        int count = 0;
+        for (int k = 1; k < starts; ++k) {
+          const schemes::Outcome outcome = three(e, static_cast<double>(k) / starts).outcome;
+          count += outcome.failure == schemes::Failure::accumulating ? 1 : 0;
+        }
+        return static_cast<double>(count);
+      };
+      const double critical = 7.0 - 4.0 * std::sqrt(3.0);
+      rows.compare("of 399 starts those that collapse, e 2 % above",
+                   {.expected = 0.0,
+                    .computed = collapsed(1.02 * critical),
+                    .tolerance = absolute(0.0),
+                    .because = "the matrix of two impacts has complex eigenvalues: speeds change sign, and they part"});
+      rows.at_least("e 2 % below", {.limit = 1.0,
+                                    .computed = collapsed(0.98 * critical),
+                                    .because = "the eigenvalues are real: some start is drawn to the eigenvector"});
     }};
 
 }  // namespace verification::gas_exact

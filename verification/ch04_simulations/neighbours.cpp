@@ -272,8 +272,11 @@ const Case cost{
                      {.limit = 1.0, .computed = (tests(true) - alone) / n, .because = "each meets the large one once"});
       }
       const auto [least, most] = std::minmax_element(per_body.begin(), per_body.end());
-      rows.at_most("most over least tests a body, from a thousand on",
-                   {.limit = 1.5, .computed = *most / *least, .because = "what cases.md asks of the cost a particle"});
+      rows.at_most(
+          "most over least tests a body, from a thousand on",
+          {.limit = 1.5,
+           .computed = *most / *least,
+           .because = "as many bodies a cell at any size, but for what cells leave over at the ends of a period"});
     }};
 
 // Mean and standard error of numbers that are drawn alike.

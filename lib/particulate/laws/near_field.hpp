@@ -176,7 +176,8 @@ Candidates candidates(const NearField& law, const kinematics::Space& domain, con
 /// into padded columns of the scene's scratch, 80 bytes a particle.
 ///
 /// More than 512 particles are taken in blocks of so many against so many, in rounds in which every block meets one
-/// other: threads share a round, if the library was built with OpenMP, and the sums do not depend on how many there are.
+/// other: threads share a round, if the library was built with OpenMP, and the sums do not depend on how many there
+/// are.
 ///
 /// Where the near field is cut off the neighbours of each particle are searched, and only pairs within reach are
 /// evaluated, by one thread, at a cost that grows with N. Sums are formed over those pairs alone, by ascending numbers.
