@@ -174,7 +174,7 @@ check_pages() {
 default_pages() {
   cd "$site"
   printf '%s\n' index.html chapters.html verification_guide.html equation_index.html map.html notation.html \
-    provenance.html errata.html adding.html trust.html feature_matrix.html teeth.html assignments.html citelist.html
+    provenance.html errata.html adding.html trust.html speed.html feature_matrix.html teeth.html assignments.html citelist.html
   # shellcheck disable=SC2010
   ls | grep -E '^namespaceparticulate_1_1[a-z]+\.html$|^(verify_|assignment_)?(ch[0-9]{2}|app[A-Z])(_[a-z0-9_]+)?\.html$' | grep -v '_source' || true
 }
