@@ -13,6 +13,7 @@
 
 #include <particulate/contact/contact.hpp>
 #include <particulate/contact/hard_spheres.hpp>
+#include <particulate/kinematics/starts.hpp>
 #include <particulate/laws/near_field.hpp>
 #include <particulate/scenes/scene.hpp>
 #include <particulate/schemes/fixed_step.hpp>
@@ -24,24 +25,17 @@ using kinematics::Space;
 
 namespace {
 
-using Cell = Eigen::Matrix<double, 3, Eigen::Dynamic>;  // places in a cell of unit side
+using kinematics::Lattice;
 
 // Unit masses and diameters on a lattice of so many cells a side, with velocities of temperature T.
-kinematics::Particles lattice(const Cell& cell, Eigen::Index side, double spacing, double T) {
-  const Eigen::Index N = side * side * side * cell.cols();
-  kinematics::Particles all{.position = kinematics::Vectors(N, 3),
-                            .velocity = kinematics::Vectors(N, 3),
-                            .mass = Eigen::VectorXd::Ones(N),
-                            .radius = Eigen::VectorXd::Constant(N, 0.5)};
+kinematics::Particles crystal(Lattice kind, Eigen::Index side, double edge, double T) {
+  const Eigen::Index N = side * side * side * (kind == Lattice::simple_cubic ? 1 : 4);
   boost::random::mt19937_64 engine(1);
   boost::random::normal_distribution<double> normal(0.0, std::sqrt(T));
-  for (Eigen::Index i = 0; i < N; ++i) {
-    const Eigen::Index c = i / cell.cols();
-    const Eigen::Vector3d corner(static_cast<double>(c % side), static_cast<double>(c / side % side),
-                                 static_cast<double>(c / side / side));
-    all.position.row(i) = spacing * (corner + cell.col(i % cell.cols()));
-    for (Eigen::Index axis = 0; axis < 3; ++axis) all.velocity(i, axis) = normal(engine);
-  }
+  kinematics::Particles all{.position = lattice(kind, N, edge),
+                            .velocity = kinematics::Vectors::NullaryExpr(N, 3, [&] { return normal(engine); }),
+                            .mass = Eigen::VectorXd::Ones(N),
+                            .radius = Eigen::VectorXd::Constant(N, 0.5)};
   all.velocity.rowwise() -= all.velocity.colwise().mean().eval();
   return all;
 }
@@ -77,8 +71,6 @@ void step(const S& scene, double dt, long warm, long steps) {
   fmt::print("\n");
 }
 
-const Cell simple = Cell::Zero(3, 1);
-const Cell face_centred{{0.0, 0.5, 0.5, 0.0}, {0.0, 0.5, 0.0, 0.5}, {0.0, 0.0, 0.5, 0.5}};
 const double apart = std::cbrt(std::numbers::pi / 0.6);  // at a volume fraction of 0.1
 
 }  // namespace
@@ -86,16 +78,18 @@ const double apart = std::cbrt(std::numbers::pi / 0.6);  // at a volume fraction
 int main(int argc, char** argv) {
   const std::string_view what = argc > 1 ? argv[1] : "";
   if (what == "gas") {
-    const scenes::Scene gas(lattice(simple, 22, apart, 1.0), box(22.0 * apart), contact::Contact<>{});
+    const scenes::Scene gas(crystal(Lattice::simple_cubic, 22, apart, 1.0), box(22.0 * apart), contact::Contact<>{});
     step(gas, 0.000617, 2000, 5000);
     step(gas, 0.005, 250, 1000);
   } else if (what == "fluid") {
     const double spacing = std::cbrt(4.0 / 0.8442);
     const laws::NearField lennard_jones{.alpha1 = 24.0, .alpha2 = 48.0, .beta1 = 7.0, .beta2 = 13.0, .cutoff = 3.0};
-    step(scenes::Scene(lattice(face_centred, 14, spacing, 1.44), box(14.0 * spacing), lennard_jones), 0.002, 100, 400);
+    step(scenes::Scene(crystal(Lattice::face_centred_cubic, 14, spacing, 1.44), box(14.0 * spacing), lennard_jones),
+         0.002, 100, 400);
   } else if (what == "events") {
     for (const Eigen::Index side : {22, 46}) {
-      contact::HardSpheres gas(lattice(simple, side, apart, 1.0), box(static_cast<double>(side) * apart));
+      contact::HardSpheres gas(crystal(Lattice::simple_cubic, side, apart, 1.0),
+                               box(static_cast<double>(side) * apart));
       schemes::State state = start(gas);
       double seconds = 0.0;
       const schemes::Outcome out =

@@ -14,8 +14,6 @@
 #include <particulate/laws/detail/near_field_kernels.hpp>
 
 namespace laws = particulate::laws;
-using particulate::kinematics::Space;
-using particulate::kinematics::Vectors;
 
 double bare_baseline(const laws::detail::PairForce& law, std::int64_t N);
 #ifdef __x86_64__
@@ -56,46 +54,36 @@ Compared compare(const Work& one, const Work& other) {
 
 class Field {
  public:
-  Field(Eigen::Index N, laws::NearField law)
-      : particles_(verification::random_cloud({.N = N}, 1)),
-        inverse_mass_(particles_.mass.cwiseInverse()),
-        force_(Vectors::Zero(N, 3)),
+  Field(Eigen::Index N, const laws::NearField& law)
+      : scene_(verification::random_cloud({.N = N}, 1), {}, law),
+        state_(particulate::scenes::start(scene_)),
+        force_(Eigen::VectorXd::Zero(3 * N)),
         law_(law) {}
 
-  void add() { laws::add_force(law_, Space{}, at(), force()); }
-  void add_both() { laws::add_force_and_energy(law_, Space{}, at(), force(), sum_); }
+  void add() { scene_.total_force(state_, force_); }
+  void add_both() { scene_.total_force(state_, force_, energy_); }
   // Both forces of every pair from one evaluation.
   void add_plainly() {
-    const Vectors& r = particles_.position;
-    for (Eigen::Index i = 0; i < r.rows(); ++i) {
-      for (Eigen::Index j = i + 1; j < r.rows(); ++j) {
-        const Eigen::Vector3d d = r.row(j) - r.row(i);
-        const double length = d.norm(), both = particles_.mass[i] * particles_.mass[j];
+    const particulate::kinematics::Particles& all = scene_.particles();
+    particulate::schemes::MutableVectorsOf force(force_.data(), all.size(), 3);
+    for (Eigen::Index i = 0; i < all.size(); ++i) {
+      for (Eigen::Index j = i + 1; j < all.size(); ++j) {
+        const Eigen::Vector3d d = all.position.row(j) - all.position.row(i);
+        const double length = d.norm(), both = all.mass[i] * all.mass[j];
         const double strength =
             law_.alpha1 * both * std::pow(length, -law_.beta1) - law_.alpha2 * both * std::pow(length, -law_.beta2);
-        force_.row(i) += strength / length * d;
-        force_.row(j) -= strength / length * d;
+        force.row(i) += strength / length * d;
+        force.row(j) -= strength / length * d;
       }
     }
   }
 
  private:
-  laws::At<> at() const {
-    return {.t = 0.0,
-            .position = Eigen::Map<const Vectors>(particles_.position.data(), particles_.size(), 3),
-            .mass = particles_.mass,
-            .radius = particles_.radius,
-            .inverse_mass = inverse_mass_,
-            .scratch = scratch_};
-  }
-  laws::Forces force() { return {force_.data(), force_.rows(), 3}; }
-
-  particulate::kinematics::Particles particles_;
-  Eigen::VectorXd inverse_mass_;
-  mutable laws::Scratch scratch_;
-  Vectors force_;
+  verification::NearFieldScene scene_;
+  particulate::schemes::State state_;
+  Eigen::VectorXd force_;
   laws::NearField law_;
-  double sum_ = 0.0;
+  double energy_ = 0.0;
 };
 
 double bare(const laws::NearField& law, Eigen::Index N) {

@@ -19,6 +19,7 @@
 #include <particulate/schemes/verlet.hpp>
 
 #include "clouds.hpp"
+#include "granular_gas.hpp"
 
 namespace verification::cloud_extremes {
 
@@ -303,14 +304,8 @@ void refuse_starts(Rows& rows) {
     validate_apart(all, periods);
     return accepted();
   });
-  const auto row_of_three = [](double first) {
-    const auto one = [](double x, double v) {
-      return kinematics::Particle{.position = {x, 0.0, 0.0}, .velocity = {v, 0.0, 0.0}, .mass = 1.0, .radius = 0.5};
-    };
-    return kinematics::particles({one(first, -0.125), one(1.0, 0.0), one(3.0, -1.0)});
-  };
   const auto flown_as_gas = [&](double first, double e) {
-    contact::HardSpheres<> gas(row_of_three(first), {}, {e});
+    contact::HardSpheres<> gas(three_on_a_line(first, 0.125), {}, {e});
     schemes::State state = start(gas);
     return ending_of(gas.advance(state, 2.0));
   };

@@ -140,18 +140,14 @@ const Case by_roots{
                                                               .because = "as that of the places"});
     }};
 
-// Three on a line, of unit mass and diameter: the first has just hit the second, which the third approaches.
 struct Three {
   schemes::Outcome outcome;
   schemes::State state;
   contact::Tally tally;
 };
 Three three(double e, double parting, double contact_time = 0.0) {
-  const auto one = [](double x, double v) {
-    return kinematics::Particle{.position = {x, 0.0, 0.0}, .velocity = {v, 0.0, 0.0}, .mass = 1.0, .radius = 0.5};
-  };
-  contact::HardSpheres gas(kinematics::particles({one(0.0, -parting), one(1.0, 0.0), one(3.0, -1.0)}), {},
-                           contact::ConstantRestitution{e}, contact::Frictionless{}, contact_time);
+  contact::HardSpheres gas(three_on_a_line(0.0, parting), {}, contact::ConstantRestitution{e}, contact::Frictionless{},
+                           contact_time);
   Three run{.outcome = {}, .state = start(gas), .tally = {}};
   run.outcome = gas.advance(run.state, 100.0);
   run.tally = gas.tally();

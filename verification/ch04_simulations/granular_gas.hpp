@@ -76,4 +76,18 @@ struct Sample {
   Eigen::Index size() const { return static_cast<Eigen::Index>(values.size()); }
 };
 
+/// Three on a line, of unit mass and diameter: with the first at 0 it touches the second and parts from it, and the
+/// third approaches that one at 1 m/s from 1 m away.
+///
+/// @param first    place of the first [m]
+/// @param parting  its speed, away from the others [m/s]
+/// @return the three
+inline particulate::kinematics::Particles three_on_a_line(double first, double parting) {
+  const auto one = [](double x, double v) {
+    return particulate::kinematics::Particle{
+        .position = {x, 0.0, 0.0}, .velocity = {v, 0.0, 0.0}, .mass = 1.0, .radius = 0.5};
+  };
+  return particulate::kinematics::particles({one(first, -parting), one(1.0, 0.0), one(3.0, -1.0)});
+}
+
 }  // namespace verification

@@ -275,17 +275,29 @@ detail::PairForce pair_force(const NearField& law) {
   return {.alpha1 = law.alpha1, .alpha2 = law.alpha2, .beta1 = law.beta1, .beta2 = law.beta2, .d_ref = law.d_ref};
 }
 
+// scaling_factors(), but masses are not copied.
+class Factors {
+ public:
+  Factors(const NearField& law, const At<>& at)
+      : formed_(law.scaling == Scaling::mass ? Eigen::VectorXd() : scaling_factors(law, at)),
+        data_(law.scaling == Scaling::mass ? at.mass.data() : formed_.data()) {}
+  Factors(const Factors&) = delete;
+  Factors& operator=(const Factors&) = delete;
+
+  const double* data() const { return data_; }
+
+ private:
+  Eigen::VectorXd formed_;
+  const double* data_;
+};
+
 // All pairs of more than a few particles, and where energy is given their energy; the forces are left in the columns.
-bool add_many(const NearField& law, const At<>& at, const double* factor, detail::Columns& c, double* energy) {
+bool add_many(const NearField& law, const At<>& at, const Factors& factor, detail::Columns& c, double* energy) {
   const Eigen::Index N = at.mass.size();
   const detail::AddPairs add_pairs = built(chosen(law)).all;
   const detail::PairForce pair = pair_force(law);
-  const double* const r = at.position.data();
-  if (N <= edge) {
-    c = filled(at.scratch, r, factor, N);
-    return add_pairs(pair, {.row = c, .partner = c, .rows = N, .partners = N, .same = true}, energy);
-  }
-  c = filled(at.scratch, r, factor, N);
+  c = filled(at.scratch, at.position.data(), factor.data(), N);
+  if (N <= edge) return add_pairs(pair, {.row = c, .partner = c, .rows = N, .partners = N, .same = true}, energy);
   return add_in_rounds(add_pairs, pair, c, N, law.threads, energy);
 }
 
@@ -307,19 +319,13 @@ bool add_within(const NearField& law, const kinematics::Space& space, const At<>
                                                : add_force<kinematics::Space>(law, space, at, force);
 }
 
-// Whether masses scale the forces, which are not copied.
-Eigen::VectorXd factors_but_masses(const NearField& law, const At<>& at) {
-  return law.scaling == Scaling::mass ? Eigen::VectorXd() : scaling_factors(law, at);
-}
-
 }  // namespace
 
 bool add_force(const NearField& law, const kinematics::Space& space, const At<>& at, Forces force) {
   if (!is_available(law.kernel)) throw std::invalid_argument(refusal(law.kernel));
   const Eigen::Index N = at.mass.size();
-  const Eigen::VectorXd other = factors_but_masses(law, at);
-  const double* const factor = law.scaling == Scaling::mass ? at.mass.data() : other.data();
-  if (std::isfinite(law.cutoff)) return add_within(law, space, at, factor, force);
+  const Factors factor(law, at);
+  if (std::isfinite(law.cutoff)) return add_within(law, space, at, factor.data(), force);
   // Some pair may have no force, which matters only if it feels one.
   const auto add_those_that_feel = [&] { return add_force<kinematics::Space>(law, space, at, force); };
   if (N <= detail::few) {
@@ -327,7 +333,7 @@ bool add_force(const NearField& law, const kinematics::Space& space, const At<>&
     const Eigen::Matrix<double, Eigen::Dynamic, 3, 0, detail::few, 3> before = force;
     const double* const r = at.position.data();
     double *const f_x = force.data(), *const f_y = f_x + N, *const f_z = f_y + N;
-    const detail::Columns in_place{r, r + N, r + 2 * N, factor, f_x, f_y, f_z, f_x, f_y, f_z};
+    const detail::Columns in_place{r, r + N, r + 2 * N, factor.data(), f_x, f_y, f_z, f_x, f_y, f_z};
     if (detail::add_few_pairs(pair_force(law), in_place, N)) return force.allFinite();
     force = before;
     return add_those_that_feel();
@@ -341,10 +347,9 @@ double potential_energy(const NearField& law, const kinematics::Space& space, co
   if (!is_available(law.kernel)) throw std::invalid_argument(refusal(law.kernel));
   const auto pair_by_pair = [&] { return potential_energy<kinematics::Space>(law, space, at); };
   if (std::isfinite(law.cutoff) || at.mass.size() <= detail::few || !at.position.allFinite()) return pair_by_pair();
-  const Eigen::VectorXd other = factors_but_masses(law, at);
   detail::Columns c{};
   double energy = 0.0;
-  const bool full = add_many(law, at, law.scaling == Scaling::mass ? at.mass.data() : other.data(), c, &energy);
+  const bool full = add_many(law, at, Factors(law, at), c, &energy);
   return full ? energy : pair_by_pair();
 }
 
@@ -352,10 +357,9 @@ bool add_force_and_energy(const NearField& law, const kinematics::Space& space, 
                           double& energy) {
   const bool all_pairs = !std::isfinite(law.cutoff) && at.mass.size() > detail::few && is_available(law.kernel);
   if (all_pairs) {
-    const Eigen::VectorXd other = factors_but_masses(law, at);
     detail::Columns c{};
     double sum = 0.0;
-    if (add_many(law, at, law.scaling == Scaling::mass ? at.mass.data() : other.data(), c, &sum)) {
+    if (add_many(law, at, Factors(law, at), c, &sum)) {
       energy += sum;
       return add_components(c, at.mass.size(), force);
     }
