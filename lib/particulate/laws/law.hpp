@@ -25,6 +25,8 @@ class Scratch {
   Scratch& operator=(const Scratch&) { return *this; }  ///< Keeps its own. @return this
 
   Neighbours neighbours;   ///< of the bodies of the scene, for all its laws
+  Neighbours approaching;  ///< of bodies that come close in a step, for ChosenPairs
+  ChosenPairs close;       ///< pairs whose forces change fast: see SplitsForce
   Eigen::VectorXd others;  ///< forces of the other laws on bodies that meet, 3 N [N]
   Eigen::VectorXd after;   ///< velocities after they have met, 3 N [m/s]
 
@@ -113,6 +115,15 @@ inline constexpr bool needs_velocity = Force<L, D> && !AddsForce<L, D, At<>> && 
 /// Whether the forces of a law ask for temperatures.
 template <class L, class D>
 inline constexpr bool needs_temperature = Force<L, D> && !AddsForce<L, D, At<>> && !AddsForce<L, D, At<Velocity>>;
+
+/// A law whose force falls into a part of few pairs, which changes fast, and the rest: `choose_close(law, domain, at,
+/// dt)` chooses the pairs for a step of size dt that starts there, in the scratch, and returns whether it could;
+/// `add_close_force(law, domain, at, forces)` adds what they exert.
+template <class L, class D>
+concept SplitsForce = requires(const L& law, const D& domain, const At<Velocity>& at, double dt, Forces force) {
+  { choose_close(law, domain, at, dt) } -> std::same_as<bool>;
+  { add_close_force(law, domain, at, force) } -> std::same_as<bool>;
+};
 
 /// A law with a potential: `potential_energy(law, domain, at)` [J], of which its forces are the negative gradient.
 template <class L, class D>

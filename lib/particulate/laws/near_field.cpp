@@ -33,6 +33,7 @@ bool processor_has(Kernel kernel) {
 struct Built {
   detail::AddPairs all = nullptr;
   detail::AddPairsWithin within = nullptr;
+  detail::AddPairsChosen chosen = nullptr;
 };
 
 Built built(Kernel kernel) {
@@ -40,11 +41,11 @@ Built built(Kernel kernel) {
     case Kernel::best:
       break;
     case Kernel::baseline:
-      return {detail::add_pairs_baseline, detail::add_pairs_within_baseline};
+      return {detail::add_pairs_baseline, detail::add_pairs_within_baseline, detail::add_pairs_chosen_baseline};
     case Kernel::avx2:
-      return {detail::add_pairs_avx2, detail::add_pairs_within_avx2};
+      return {detail::add_pairs_avx2, detail::add_pairs_within_avx2, detail::add_pairs_chosen_avx2};
     case Kernel::avx512:
-      return {detail::add_pairs_avx512, detail::add_pairs_within_avx512};
+      return {detail::add_pairs_avx512, detail::add_pairs_within_avx512, detail::add_pairs_chosen_avx512};
   }
   return {};
 }
@@ -319,6 +320,26 @@ bool add_within(const NearField& law, const kinematics::Space& space, const At<>
                                                : add_force<kinematics::Space>(law, space, at, force);
 }
 
+// Of pairs that change much over a step: see choose_close().
+constexpr double stiff = 0.07, passes = 3.0;
+
+// Of a pair of unit strength, \sum_k (1 + \beta_k) \alpha_k d^{-\beta_k - 1}.
+double stiffness_of(const NearField& law, double d) {
+  return (1.0 + law.beta1) * law.alpha1 * std::pow(d, -law.beta1 - 1.0) +
+         (1.0 + law.beta2) * law.alpha2 * std::pow(d, -law.beta2 - 1.0);
+}
+
+// The largest distance at which a near field is stiff, of any pair: the force changes by a share of the motion over dt.
+double stiff_distance(const NearField& law, double strength, double dt) {
+  const auto stiffness = [&](double d) { return dt * dt * strength * stiffness_of(law, d); };
+  double low = 1e-300, high = 1e300;
+  for (int k = 0; k < 100; ++k) {
+    const double middle = std::sqrt(low) * std::sqrt(high);
+    (stiffness(middle) > stiff ? low : high) = middle;
+  }
+  return low > 1e-300 ? high : 0.0;
+}
+
 }  // namespace
 
 bool add_force(const NearField& law, const kinematics::Space& space, const At<>& at, Forces force) {
@@ -366,6 +387,63 @@ bool add_force_and_energy(const NearField& law, const kinematics::Space& space, 
   }
   energy += potential_energy<kinematics::Space>(law, space, at);
   return add_force(law, space, at, force);
+}
+
+bool choose_close(const NearField& law, const kinematics::Space& domain, const At<Velocity>& at, double dt) {
+  if (std::isfinite(law.cutoff)) {
+    throw std::invalid_argument(fmt::format(
+        "near field: to be split into close pairs and the rest it must reach everywhere, got a cutoff of {} m: it has "
+        "few pairs already, take a scheme that needs no split",
+        law.cutoff));
+  }
+  if (!at.position.allFinite() || !at.velocity.allFinite()) return false;
+  const Eigen::Index N = at.mass.size();
+  const Eigen::VectorXd factor = scaling_factors(law, at), pull = factor.cwiseProduct(at.inverse_mass);
+  // f_i f_j (w_i + w_j) of any pair is at most this.
+  const double strongest = N > 0 ? 2.0 * factor.maxCoeff() * pull.maxCoeff() : 0.0;
+  const double far = stiff_distance(law, strongest, dt);
+  // A pair that comes near enough in the step is so near at its start that the sum of these sizes reaches it.
+  const Eigen::RowVector3d mean = at.velocity.colwise().mean();
+  const Eigen::VectorXd size =
+      0.5 * far + ((1.0 + 0.5 * passes) * dt * (at.velocity.rowwise() - mean).rowwise().norm()).array();
+  const Candidates near = at.scratch.approaching.candidates(domain, at.position, size);
+  const auto is_close = [&](Eigen::Index i, Eigen::Index j) {
+    const Eigen::Vector3d apart = separation(domain, at.position.row(i), at.position.row(j));
+    const Eigen::Vector3d speed = at.velocity.row(j) - at.velocity.row(i);
+    const double fast = speed.squaredNorm(), moment = fast > 0.0 ? std::clamp(-apart.dot(speed) / fast, 0.0, dt) : 0.0;
+    const double d = (apart + moment * speed).norm();
+    if (d < passes * 0.5 * dt * std::sqrt(fast)) return true;
+    return d < far && dt * dt * (factor[i] * pull[j] + pull[i] * factor[j]) * stiffness_of(law, d) > stiff;
+  };
+  ChosenPairs& close = at.scratch.close;
+  close.row.clear();
+  close.partner.clear();
+  for (Eigen::Index i = 0; i < N; ++i) {
+    near.behind(i, [&](Eigen::Index j) {
+      if (!is_close(i, j)) return;
+      close.row.push_back(static_cast<std::int32_t>(i));
+      close.partner.push_back(static_cast<std::int32_t>(j));
+    });
+  }
+  return true;
+}
+
+bool add_close_force(const NearField& law, const kinematics::Space& domain, const At<>& at, Forces force) {
+  if (!is_available(law.kernel)) throw std::invalid_argument(refusal(law.kernel));
+  if (!at.position.allFinite()) return false;
+  const Eigen::Index N = at.mass.size();
+  const Factors factor(law, at);
+  const ChosenPairs& close = at.scratch.close;
+  const detail::Columns c = filled(at.scratch, at.position.data(), factor.data(), N);
+  const detail::Chosen pairs{
+      .row = close.row.data(), .partner = close.partner.data(), .n = static_cast<std::int64_t>(close.row.size())};
+  if (built(chosen(law)).chosen(pair_force(law), pairs, c)) return add_components(c, N, force);
+  const Eigen::VectorXd factors = scaling_factors(law, at);
+  bool all_full = true;
+  for (std::size_t k = 0; k < close.row.size(); ++k) {
+    all_full = add_pair(law, domain, at, factors, close.row[k], close.partner[k], force) && all_full;
+  }
+  return all_full && force.allFinite();
 }
 
 }  // namespace particulate::laws

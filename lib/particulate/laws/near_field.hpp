@@ -189,6 +189,57 @@ Candidates candidates(const NearField& law, const kinematics::Space& domain, con
 /// @throws std::invalid_argument if the law's kernel is not available
 bool add_force(const NearField& law, const kinematics::Space&, const At<>& at, Forces force);
 
+/// Chooses the pairs whose forces change much over a step, for schemes that take these in steps of their own.
+///
+/// \f[ \Delta t^2\, (w_i + w_j) \sum_k (1 + \beta_k)\, \alpha_{k,ij}\, d^{-\beta_k - 1} > \kappa
+///     \qquad\text{or}\qquad d < \zeta\, \tfrac12 \Delta t\, \|v_i - v_j\| \f]
+///
+/// @equation{D 3.4} d is the smallest distance on straight paths over the step, w an inverse mass. The first holds
+/// where the force is stiff, the second where partners pass each other so near that the polynomial of a step, whose
+/// radius of convergence is \f$ d/\|v_i - v_j\| \f$, would not resolve it. \f$ \kappa = 0.07,\ \zeta = 3 \f$.
+/// @param law     constants that validate() accepts
+/// @param domain  space
+/// @param at      the particles, with velocities; their scratch receives the pairs
+/// @param dt      the step, > 0 [s]
+/// @return false where the particles have no finite places and velocities
+bool choose_close(const NearField& law, const kinematics::Space& domain, const At<Velocity>& at, double dt);
+
+/// Adds the forces of those pairs alone, as add_force() forms them.
+///
+/// @param law     constants that validate() accepts
+/// @param domain  space
+/// @param at      the particles, whose scratch holds the pairs
+/// @param force   receives the forces, added to what it holds [N]
+/// @return as add_force()
+/// @throws std::invalid_argument if the law's kernel is not available
+bool add_close_force(const NearField& law, const kinematics::Space& domain, const At<>& at, Forces force);
+
+/// Adds the near-field forces between two particles.
+///
+/// @equation{M 2.3}
+/// @param law     constants that validate() accepts
+/// @param domain  forms the separation
+/// @param at      the particles
+/// @param factor  scaling_factors()
+/// @param i       one particle
+/// @param j       the other
+/// @param force   receives the forces, added to what it holds [N]
+/// @return false where they feel each other and their squared distance is none: is_full()
+template <kinematics::Domain D>
+bool add_pair(const NearField& law, const D& domain, const At<>& at, const Eigen::VectorXd& factor, Eigen::Index i,
+              Eigen::Index j, Forces force) {
+  const Eigen::Vector3d towards = separation(domain, at.position.row(i), at.position.row(j));
+  const double square = towards.squaredNorm();
+  if (square >= law.cutoff * law.cutoff && std::isfinite(law.cutoff)) return true;
+  if (!is_full(square)) return !feels(law, at, factor, i, j);
+  const double d = std::sqrt(square);
+  // The unit vector first: over the distance a force may be too small or too large for a double.
+  const Eigen::Vector3d pull = tapering(law, d) * strength(pair_law(law, factor[i], factor[j]), d) * (towards / d);
+  force.row(i) += pull;
+  force.row(j) -= pull;
+  return true;
+}
+
 /// Adds the near-field forces over all pairs in a domain of one's own, pair by pair.
 ///
 /// @equation{M 2.3}
@@ -204,20 +255,7 @@ bool add_force(const NearField& law, const D& domain, const At<>& at, Forces for
   const Candidates near = candidates(law, domain, at);
   bool all_full = true;
   for (Eigen::Index i = 0; i < at.mass.size(); ++i) {
-    near.behind(i, [&](Eigen::Index j) {
-      const Eigen::Vector3d towards = separation(domain, at.position.row(i), at.position.row(j));
-      const double square = towards.squaredNorm();
-      if (square >= law.cutoff * law.cutoff && std::isfinite(law.cutoff)) return;
-      if (!is_full(square)) {
-        all_full = all_full && !feels(law, at, factor, i, j);
-        return;
-      }
-      const double d = std::sqrt(square);
-      // The unit vector first: over the distance a force may be too small or too large for a double.
-      const Eigen::Vector3d pull = tapering(law, d) * strength(pair_law(law, factor[i], factor[j]), d) * (towards / d);
-      force.row(i) += pull;
-      force.row(j) -= pull;
-    });
+    near.behind(i, [&](Eigen::Index j) { all_full = add_pair(law, domain, at, factor, i, j, force) && all_full; });
   }
   return all_full && force.allFinite();
 }

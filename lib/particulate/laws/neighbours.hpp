@@ -32,6 +32,12 @@ struct Candidates {
   }
 };
 
+/// Pairs that somebody has chosen, each once, by its smaller number.
+struct ChosenPairs {
+  std::vector<std::int32_t> row;      ///< one of each pair, rising
+  std::vector<std::int32_t> partner;  ///< the other, larger
+};
+
 /// Finds pairs of bodies that may be near each other, for all laws of a scene, and remembers them while it can.
 ///
 /// A law asks with a size for every body: a pair is near where its distance is at most the sum of the two sizes. What

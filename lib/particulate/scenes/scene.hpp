@@ -141,6 +141,30 @@ class Scene {
     return force(moving(t, r, v), a) && divide_by_mass(a);
   }
 
+  /// How many laws have a part that changes fast.
+  static constexpr int splitting_laws = (0 + ... + static_cast<int>(laws::SplitsForce<Laws, D>));
+
+  /// Chooses the pairs whose forces change fast over a step. @see schemes::SplitsMotion
+  ///
+  /// @param state  a state of this scene, the start of the step
+  /// @param dt     the step, > 0 [s]
+  /// @return false: they are too many for so long a step
+  bool split(const schemes::State& state, double dt) const requires(!needs_velocity && splitting_laws == 1) {
+    const laws::At<laws::Velocity> at = moving(state.t, state.r, state.v);
+    return std::apply([&](const auto&... law) { return (choose(law, at, dt) && ...); }, laws_);
+  }
+  /// The part of acceleration() that these pairs make. @see schemes::SplitsMotion
+  ///
+  /// @param t  time [s]
+  /// @param r  positions, 3 N numbers, column by column [m]
+  /// @param a  receives the accelerations, as long as r [m/s^2]
+  /// @return whether they have a finite value there
+  bool acceleration_fast(double t, schemes::In r, schemes::Out a) const
+      requires(!needs_velocity && splitting_laws == 1) {
+    const laws::At<> at = places(t, r);
+    return force_of(a, [&](const auto& law, laws::Forces sum) { return add_fast(law, at, sum); }) && divide_by_mass(a);
+  }
+
   /// Total force on every particle, \f$ \Psi_i^{tot} \f$.
   ///
   /// @param state  a state of this scene
@@ -340,6 +364,16 @@ class Scene {
   template <class L, class Here>
   bool add(const L& law, const Here& at, laws::Forces sum) const {
     if constexpr (laws::Force<L, D>) return add_force(law, domain_, at, sum);
+    return true;
+  }
+  template <class L>
+  bool choose(const L& law, const laws::At<laws::Velocity>& at, double dt) const {
+    if constexpr (laws::SplitsForce<L, D>) return choose_close(law, domain_, at, dt);
+    return true;
+  }
+  template <class L>
+  bool add_fast(const L& law, const laws::At<>& at, laws::Forces sum) const {
+    if constexpr (laws::SplitsForce<L, D>) return add_close_force(law, domain_, at, sum);
     return true;
   }
   template <class AddTo>

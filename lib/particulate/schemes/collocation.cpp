@@ -41,6 +41,21 @@ Sizes sizes_of(const CollocationSettings& settings) {
 
 void validate(const CollocationSettings& settings) { validate("collocation", sizes_of(settings)); }
 
+void collocation_at(const CollocationTable& table, const Eigen::MatrixXd& rates, const State& from, double dt,
+                    double theta, State& there) {
+  const Eigen::Index n = from.r.size(), m = rates.rows() - n;
+  const StageWeights once = table.once(theta);
+  advance_time(from, theta * dt, there);
+  there.r = from.r + (theta * dt) * from.v;
+  there.v = from.v;
+  there.y = from.y;
+  if (n > 0) {
+    add_weighted(table.twice(theta).data(), dt * dt, rates.topRows(n), there.r);
+    add_weighted(once.data(), dt, rates.topRows(n), there.v);
+  }
+  if (m > 0) add_weighted(once.data(), dt, rates.bottomRows(m), there.y);
+}
+
 AnyCollocation::AnyCollocation(const CollocationTable& table, int order, CollocationSettings settings,
                                StageSolver solver)
     : table_(&table),
@@ -169,19 +184,6 @@ void AnyCollocation::forget() {
   refused_at_ = std::numeric_limits<double>::quiet_NaN();
   end_.t = std::numeric_limits<double>::quiet_NaN();
   solver_.newton.forget();
-}
-
-void AnyCollocation::at(const State& from, double dt, double theta, State& there) const {
-  const StageWeights once = table_->once(theta);
-  advance_time(from, theta * dt, there);
-  there.r = from.r + (theta * dt) * from.v;
-  there.v = from.v;
-  there.y = from.y;
-  if (n_ > 0) {
-    add_weighted(table_->twice(theta).data(), dt * dt, k_.topRows(n_), there.r);
-    add_weighted(once.data(), dt, k_.topRows(n_), there.v);
-  }
-  if (m_ > 0) add_weighted(once.data(), dt, k_.bottomRows(m_), there.y);
 }
 
 // --- The step --------------------------------------------------------------------------------------------------------

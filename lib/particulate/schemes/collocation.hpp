@@ -54,6 +54,17 @@ struct StageSolver {
   /// @endcond
 };
 
+/// Dense output of a step in Nystrom form: the polynomials that have these rates at the nodes.
+///
+/// @param table  of the nodes
+/// @param rates  of a state (r, y), first those of r, one column a node
+/// @param from   state at the start of the step
+/// @param dt     the step [s]
+/// @param theta  in units of the step; 0 its start, 1 its end [-]
+/// @param there  receives the state
+void collocation_at(const CollocationTable& table, const Eigen::MatrixXd& rates, const State& from, double dt,
+                    double theta, State& there);
+
 /// Collocation, whatever its nodes and its solver: all that Collocation does, compiled once.
 class AnyCollocation {
  public:
@@ -114,7 +125,12 @@ class AnyCollocation {
   /// @param dt     that step [s]
   /// @param theta  in units of the step; 0 its start, 1 its end [-]
   /// @param there  receives the state
-  void at(const State& from, double dt, double theta, State& there) const;
+  void at(const State& from, double dt, double theta, State& there) const {
+    collocation_at(*table_, k_, from, dt, theta, there);
+  }
+
+  /// @return the rates of the step made last: see collocation_at()
+  const Eigen::MatrixXd& rates() const { return k_; }
 
  protected:
   /// @param table     of the nodes

@@ -106,6 +106,15 @@ concept Splits = requires(P& p, double t, In y, Out dy) {
   { p.rate_fast(t, y, dy) } -> std::same_as<bool>;
 };
 
+/// Ability of a PositionProblem: an acceleration of which a part is cheap and changes fast, so that it can be asked
+/// more often than the whole. `split(state, dt)` chooses the part for a step that starts at a state, until it is called
+/// again, and returns whether it could; `acceleration_fast(t, r, a)` gives it.
+template <class P>
+concept SplitsMotion = PositionProblem<P> && requires(P& p, const State& at, double dt, double t, In r, Out a) {
+  { p.split(at, dt) } -> std::same_as<bool>;
+  { p.acceleration_fast(t, r, a) } -> std::same_as<bool>;
+};
+
 /// Ability: how far apart two sets of places are, or of values where a problem has nothing else. The monograph sums
 /// norms over particles, which a flat vector does not know.
 template <class P>
@@ -329,6 +338,7 @@ struct Abilities {
   bool (*rates)(void*, const Where&, const Answers&) = nullptr;
   bool (*slow)(void*, const Where&, const Answers&) = nullptr;
   bool (*fast)(void*, const Where&, const Answers&) = nullptr;
+  bool (*split)(void*, const State&, double) = nullptr;
   void (*jacobian)(void*, const Where&, Eigen::MatrixXd&) = nullptr;
   void (*sparse_jacobian)(void*, const Where&, SparseJacobian&) = nullptr;
   Bandwidth (*bandwidth)(const void*) = nullptr;
@@ -367,6 +377,12 @@ constexpr void add_right_hand_sides(Abilities& can) {
   if constexpr (Splits<P>) {
     can.slow = [](void* p, const Where& at, const Answers& to) { return as<P>(p).rate_slow(at.t, at.y, Out(to.dy)); };
     can.fast = [](void* p, const Where& at, const Answers& to) { return as<P>(p).rate_fast(at.t, at.y, Out(to.dy)); };
+  }
+  if constexpr (SplitsMotion<P>) {
+    can.split = [](void* p, const State& at, double dt) { return as<P>(p).split(at, dt); };
+    can.fast = [](void* p, const Where& at, const Answers& to) {
+      return as<P>(p).acceleration_fast(at.t, at.r, Out(to.a));
+    };
   }
 }
 
@@ -521,6 +537,11 @@ class Problem {
   bool rate_slow(const Where& at, const Answers& to) const { return ask(Hook::Side::slow, can_->slow, at, to); }
   /// @param at  where @param to receives the fast part @return whether it has a value there
   bool rate_fast(const Where& at, const Answers& to) const { return ask(Hook::Side::fast, can_->fast, at, to); }
+
+  /// @return whether its motion has a part that changes fast, and is then rate_fast()
+  bool splits_motion() const { return can_->split; }
+  /// @param at  the start of a step @param dt the step [s] @return whether that part could be chosen for it
+  bool split(const State& at, double dt) const { return can_->split(self_, at, dt); }
 
   /// @return whether it gives a Jacobian
   bool has_jacobian() const { return can_->jacobian; }

@@ -6,6 +6,7 @@
 
 const particulate::laws::detail::AddPairs particulate::laws::detail::add_pairs_avx512 = add_pairs;
 const particulate::laws::detail::AddPairsWithin particulate::laws::detail::add_pairs_within_avx512 = add_pairs_within;
+const particulate::laws::detail::AddPairsChosen particulate::laws::detail::add_pairs_chosen_avx512 = add_pairs_chosen;
 
 #else
 
@@ -13,5 +14,6 @@ const particulate::laws::detail::AddPairsWithin particulate::laws::detail::add_p
 
 const particulate::laws::detail::AddPairs particulate::laws::detail::add_pairs_avx512 = nullptr;
 const particulate::laws::detail::AddPairsWithin particulate::laws::detail::add_pairs_within_avx512 = nullptr;
+const particulate::laws::detail::AddPairsChosen particulate::laws::detail::add_pairs_chosen_avx512 = nullptr;
 
 #endif

@@ -6,6 +6,7 @@ namespace particulate::laws::detail {
 
 const AddPairs add_pairs_baseline = add_pairs;
 const AddPairsWithin add_pairs_within_baseline = add_pairs_within;
+const AddPairsChosen add_pairs_chosen_baseline = add_pairs_chosen;
 
 namespace {
 

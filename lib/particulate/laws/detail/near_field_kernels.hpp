@@ -57,6 +57,15 @@ struct Within {
 // The same for those pairs alone that are nearer than the cut-off distance. Columns need no padding.
 using AddPairsWithin = bool (*)(const PairForce& law, const Within& within, const Columns& columns);
 
+// Pairs, each once, in any order, however far apart.
+struct Chosen {
+  const std::int32_t *row, *partner;
+  std::int64_t n;
+};
+
+// The same for those pairs alone. Columns need no padding.
+using AddPairsChosen = bool (*)(const PairForce& law, const Chosen& pairs, const Columns& columns);
+
 // One for each set of instructions; null where this build has no such code.
 extern const AddPairs add_pairs_baseline;
 extern const AddPairs add_pairs_avx2;
@@ -64,5 +73,8 @@ extern const AddPairs add_pairs_avx512;
 extern const AddPairsWithin add_pairs_within_baseline;
 extern const AddPairsWithin add_pairs_within_avx2;
 extern const AddPairsWithin add_pairs_within_avx512;
+extern const AddPairsChosen add_pairs_chosen_baseline;
+extern const AddPairsChosen add_pairs_chosen_avx2;
+extern const AddPairsChosen add_pairs_chosen_avx512;
 
 }  // namespace particulate::laws::detail

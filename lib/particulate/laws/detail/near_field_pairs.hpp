@@ -617,5 +617,46 @@ bool add_pairs_within(const PairForce& law, const Within& within, const Columns&
   return full;
 }
 
+// So many pairs side by side, of any rows.
+template <class Powers>
+__attribute__((flatten)) void meet_chosen(const Powers& powers, const Row& one, const Columns& c, const std::int32_t* i,
+                                          const std::int32_t* j, int used, Range<Vector>& range) {
+  const Vector dx = gather(c.x, j) - gather(c.x, i), dy = gather(c.y, j) - gather(c.y, i);
+  const Vector dz = gather(c.z, j) - gather(c.z, i), square = dx * dx + dy * dy + dz * dz;
+  range.include(square);
+  const Vector over_d = force_over_distance(powers, one, gather(c.factor, i) * gather(c.factor, j), square);
+  alignas(64) double x[lanes], y[lanes], z[lanes];
+  store(over_d * dx, x), store(over_d * dy, y), store(over_d * dz, z);
+  for (int lane = 0; lane < used; ++lane) {
+    c.action_x[i[lane]] += x[lane], c.action_y[i[lane]] += y[lane], c.action_z[i[lane]] += z[lane];
+    c.reaction_x[j[lane]] -= x[lane], c.reaction_y[j[lane]] -= y[lane], c.reaction_z[j[lane]] -= z[lane];
+  }
+}
+
+template <class Powers>
+bool add_all_chosen(const Powers& powers, const PairForce& law, const Chosen& pairs, const Columns& c) {
+  const Row one{.x = 0.0, .y = 0.0, .z = 0.0, .alpha1 = law.alpha1, .alpha2 = law.alpha2};
+  Range<Vector> range;
+  std::int64_t k = 0;
+  for (; k + lanes <= pairs.n; k += lanes) {
+    meet_chosen(powers, one, c, pairs.row + k, pairs.partner + k, lanes, range);
+  }
+  if (k < pairs.n) {
+    std::int32_t i[lanes], j[lanes];
+    for (int lane = 0; lane < lanes; ++lane) {
+      const std::int64_t pair = k + lane < pairs.n ? k + lane : k;
+      i[lane] = pairs.row[pair], j[lane] = pairs.partner[pair];
+    }
+    meet_chosen(powers, one, c, i, j, static_cast<int>(pairs.n - k), range);
+  }
+  return is_full(law, 1.0, range);
+}
+
+bool add_pairs_chosen(const PairForce& law, const Chosen& pairs, const Columns& c) {
+  const bool full = by_powers(law, [&](const auto& powers) { return add_all_chosen(powers, law, pairs, c); });
+  clear_upper_halves();
+  return full;
+}
+
 }  // namespace
 }  // namespace particulate::laws::detail
