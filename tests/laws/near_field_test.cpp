@@ -207,7 +207,13 @@ BOOST_AUTO_TEST_CASE(refuses_a_kernel_that_is_not_there_and_names_those_that_are
     CHECK_REFUSED(validate(law), "kernel must be best or one that this build has");
     CHECK_REFUSED(validate(law), "for this processor (baseline");
     CHECK_REFUSED(validate(law), given);
-    CHECK_REFUSED(forces(law, Space{}, pair_at(1.0)), given);
+    const Cloud pair = pair_at(1.0);
+    CHECK_REFUSED(forces(law, Space{}, pair), given);
+    Vectors force = Vectors::Zero(2, 3);
+    double energy = 0.0;
+    CHECK_REFUSED(add_force_and_energy(law, Space{}, pair.places(), Forces(force.data(), 2, 3), energy), given);
+    BOOST_TEST(energy == 0.0);
+    CHECK_REFUSED(add_close_force(law, Space{}, pair.places(), Forces(force.data(), 2, 3)), given);
   }
 }
 

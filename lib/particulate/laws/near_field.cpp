@@ -376,8 +376,8 @@ double potential_energy(const NearField& law, const kinematics::Space& space, co
 
 bool add_force_and_energy(const NearField& law, const kinematics::Space& space, const At<>& at, Forces force,
                           double& energy) {
-  const bool all_pairs = !std::isfinite(law.cutoff) && at.mass.size() > detail::few && is_available(law.kernel);
-  if (all_pairs) {
+  if (!is_available(law.kernel)) throw std::invalid_argument(refusal(law.kernel));
+  if (!std::isfinite(law.cutoff) && at.mass.size() > detail::few) {
     detail::Columns c{};
     double sum = 0.0;
     if (add_many(law, at, Factors(law, at), c, &sum)) {
