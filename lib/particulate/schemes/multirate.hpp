@@ -127,13 +127,16 @@ class AnyMultirate {
 ///
 /// @equation{D 3.4} The fast part is what the problem chooses at the start of every step (SplitsMotion): the pairs of
 /// particles that come close, of which there are few. The motion under the polynomial of the slow part is an ordinary
-/// problem, solved by Gauss<6> under ErrorControl in as many steps as it needs. A sweep takes the motion at the nodes,
-/// asks for the whole acceleration there, which is what costs, and solves again. So the nodes follow the smooth field
-/// of many particles, and few of them see a close encounter. Sweeps contract as those of Collocation on the slow part
-/// alone, from a slow polynomial that is extrapolated from the last step: two are enough.
+/// problem, solved by `Gauss<6>` under ErrorControl in as many steps as it needs. A sweep takes the motion at the
+/// nodes, asks for the whole acceleration there, which is what costs, and solves again. So the nodes follow the smooth
+/// field of many particles, and few of them see a close encounter. Sweeps contract as those of Collocation on the slow
+/// part alone, from a slow polynomial that is extrapolated from the last step: two are enough.
 ///
-/// Where no part of the acceleration is fast this is Gauss<S> by Picard; where all of it is, Gauss<6>. Its order is
-/// that of Gauss<S> in the long step; the inner steps keep their own tolerance. Steps are not symplectic.
+/// Its order is 2 S in the long step for motions that this resolves. What the slow acceleration does to a motion much
+/// faster than the step is of order S, and the estimate of the error, that of Collocation for the slow part, does not
+/// know: tighten its tolerance, or the step, until the answer stands. The inner steps keep their own tolerance. A long
+/// step is not symplectic. After a jump, such as stepped contact at its end, it begins anew, with a constant slow
+/// acceleration and two more sweeps: take Collocation where impacts are frequent.
 ///
 /// @tparam S  nodes of a long step, 2 to 16
 template <int S>
