@@ -10,8 +10,8 @@ namespace particulate::identification {
 
 /// What a cost says of a set of parameters: a number, or why there is none.
 struct Value {
-  /// @param cost  the number; one that is not finite is no value
-  Value(double cost) : cost(cost) {}
+  /// @param number  the cost; one that is not finite is no value
+  Value(double number) : cost(number) {}
   /// @param reason  why these parameters have no value, in a few words that are the same for the same reason
   explicit Value(std::string reason);
 
