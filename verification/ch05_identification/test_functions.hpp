@@ -59,7 +59,7 @@ inline TestFunction rastrigin(Eigen::Index n, double lower = -5.12, double upper
     all.tail(n) = std::sqrt(20.0) * (std::numbers::pi * x.array()).sin();
     return all;
   };
-  return sum_of_squares(lower == -upper ? "Rastrigin" : "Rastrigin, off the middle", residuals, cube(n, lower, upper),
+  return sum_of_squares(lower == -upper ? "Rastrigin" : "Rastrigin off the middle", residuals, cube(n, lower, upper),
                         0.0);
 }
 

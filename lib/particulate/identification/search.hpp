@@ -10,7 +10,8 @@ namespace particulate::identification {
 
 /// The numbers of a search that polishes as it goes. The defaults need few evaluations on functions of many minima.
 struct Search {
-  GeneticAlgorithm algorithm = {.S = 40, .K = 10, .rescaling = 1.5, .restart = Stagnation{.generations = 5}};
+  GeneticAlgorithm algorithm = {
+      .S = 40, .K = 10, .rescaling = 1.5, .restart = Stagnation{.generations = 5, .size = 0.01}};
   /// Coarse, since most of what it polishes will be surpassed: polish() the best at the end where more is wanted.
   Polishing polishing = {.tolerance = 0.1};
   Eigen::Index polished = 10;  ///< how many strings are polished a generation, >= 0
