@@ -56,6 +56,23 @@ BOOST_AUTO_TEST_CASE(polishes_nothing_where_there_are_no_residuals) {
   BOOST_TEST(std::isnan(found.squares));
 }
 
+// Whatever lowers these squares raises this cost.
+BOOST_AUTO_TEST_CASE(keeps_a_string_that_costs_less_than_what_polishing_makes_of_it) {
+  const Cost far_away = [](const Eigen::VectorXd& x) { return 1.0 / (1.0 + x.squaredNorm()); };
+  const Residuals squares = [](const Eigen::VectorXd& x) { return x; };
+  double last = 1.0;
+  const auto watch = [&](const Population& now) {
+    BOOST_TEST(now.values.front().cost <= last);
+    last = now.values.front().cost;
+    return true;
+  };
+  const Found found = search(far_away, squares, square, {}, {.generations = 15}, 1, watch);
+  BOOST_TEST(found.polishes > 50);
+  // The corner at (6, 6).
+  BOOST_TEST(found.ended.best.cost == 1.0 / 73.0, boost::test_tools::tolerance(0.1));
+  BOOST_TEST(found.squares == found.ended.best.parameters.squaredNorm());
+}
+
 BOOST_AUTO_TEST_CASE(ends_at_every_other_stop_as_well) {
   const auto ended = [](const Search& numbers, const Stops& stops) {
     return search(distance, ripples, square, numbers, stops, 1).ended.stop;

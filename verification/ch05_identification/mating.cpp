@@ -29,7 +29,7 @@ void compare_mean(Rows& rows, const std::string& quantity, double expected, cons
 
 // A repeat is a pair of parents with components of unit variance, and the mean over its two children.
 struct Moments {
-  Eigen::ArrayXd second, mixed;  // of c_1^2 and of c_1^2 c_2^2
+  Eigen::ArrayXd first, second, mixed;  // of a_1 c_1, of c_1^2 and of c_1^2 c_2^2
 };
 template <class Mate>
 Moments moments(std::uint64_t seed, Eigen::Index pairs, const Mate& mate) {
@@ -38,12 +38,12 @@ Moments moments(std::uint64_t seed, Eigen::Index pairs, const Mate& mate) {
   const auto parent = [&] {
     return Eigen::Vector2d::NullaryExpr([&] { return std::sqrt(12.0) * (uniform(engine) - 0.5); });
   };
-  Moments all{.second = Eigen::ArrayXd(pairs), .mixed = Eigen::ArrayXd(pairs)};
+  Moments all{.first = Eigen::ArrayXd(pairs), .second = Eigen::ArrayXd(pairs), .mixed = Eigen::ArrayXd(pairs)};
   for (Eigen::Index k = 0; k < pairs; ++k) {
-    const Eigen::VectorXd a = parent(), b = parent();
-    const Eigen::ArrayXd one = mate(a, b, engine).array().square(), other = mate(a, b, engine).array().square();
-    all.second[k] = 0.5 * (one[0] + other[0]);
-    all.mixed[k] = 0.5 * (one.prod() + other.prod());
+    const Eigen::VectorXd a = parent(), b = parent(), one = mate(a, b, engine), other = mate(a, b, engine);
+    all.first[k] = 0.5 * a[0] * (one[0] + other[0]);
+    all.second[k] = 0.5 * (one[0] * one[0] + other[0] * other[0]);
+    all.mixed[k] = 0.5 * (one.array().square().prod() + other.array().square().prod());
   }
   return all;
 }
@@ -60,6 +60,7 @@ const Case random_pairs{
       const Moments own = moments(rows.case_seed(), pairs, [&](const auto& a, const auto& b, auto& engine) {
         return mated(a, b, [&] { return uniform(engine); });
       });
+      compare_mean(rows, "covariance with the first parent over its variance", 0.5, own.first);
       compare_mean(rows, "variance of children over that of parents", 2.0 / 3.0, own.second);
       compare_mean(rows, "E[c1^2 c2^2] over the square of that variance", 4.0 / 9.0, own.mixed);
       const Moments shared = moments(rows.case_seed() + 1, pairs, [&](const auto& a, const auto& b, auto& engine) {
