@@ -175,7 +175,7 @@ BOOST_AUTO_TEST_CASE(ends_at_the_limit_of_evaluations_within_a_generation_and_go
     BOOST_TEST(one.population.evaluations == limit);
     Population from = population_from(bits(one.population), "file", problem);
     evolve(bowl, square, small, {.evaluations = 200}, from);
-    BOOST_TEST(bits(from) == whole);
+    BOOST_TEST((bits(from) == whole));
   }
 }
 

@@ -80,7 +80,7 @@ void polish_best(const Task& task, Found& found, Done& done) {
 // The sum of squares of the best, which polishing knows already if it gave the best.
 void add_squares(const Task& task, const Done& done, Found& found) {
   const Best& best = found.ended.best;
-  if (best.parameters == done.best.parameters) {
+  if (done.best.parameters.size() != 0 && best.parameters == done.best.parameters) {
     found.squares = done.squares;
   } else if (task.left(found.population) > 0) {
     const Eigen::VectorXd residuals = task.residuals(best.parameters);
