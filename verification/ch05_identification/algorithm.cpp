@@ -104,7 +104,7 @@ const Case counted{
       std::atomic<long> calls = 0, failed = 0;
       const Cost cost = [&](const Eigen::VectorXd& x) {
         ++calls;
-        if (x[0] < -2.0) throw std::runtime_error(fmt::format("no value {}", ++failed % 2));
+        if (x[0] < -4.0) throw std::runtime_error(fmt::format("no value {}", ++failed % 2));
         return f.cost(x);
       };
       const Residuals residuals = [&](const Eigen::VectorXd& x) {
@@ -184,7 +184,7 @@ const Case continued{
       const Stops last{.evaluations = 1500};
       const std::string whole = run(first, last);
       long other = 0, stops = 0;
-      for (long limit = 1; limit < 1500; limit += rows.quick() ? 13 : 1) {
+      for (long limit = 10; limit < 1500; limit += rows.quick() ? 13 : 1) {
         const std::string by_evaluations = run(first, {.evaluations = limit});
         other += run(population_from(by_evaluations, "file", problem), last) == whole ? 0 : 1;
         ++stops;
