@@ -8,35 +8,35 @@
 #include <thread>
 
 #include <fmt/format.h>
-#include <boost/random/uniform_01.hpp>
 
 namespace particulate::identification {
 
 namespace {
 
-void require(bool holds, const char* what, auto given, const char* advice) {
+void require_of_algorithm(bool holds, const char* what, auto given, const char* advice) {
   if (!holds) throw std::invalid_argument(fmt::format("genetic algorithm: {}, got {}: {}", what, given, advice));
 }
 
 void validate_window(const std::optional<Stagnation>& window) {
   if (!window) return;
-  require(window->generations >= 1, "stagnation must be seen over at least one generation", window->generations,
-          "take ten or more");
-  require(window->size >= 0.0, "the share by which a cost must fall must not be negative", window->size,
-          "take 0 where any progress counts");
+  require_of_algorithm(window->generations >= 1, "stagnation must be seen over at least one generation",
+                       window->generations, "take ten or more");
+  require_of_algorithm(window->size >= 0.0, "the share by which a cost must fall must not be negative", window->size,
+                       "take 0 where any progress counts");
 }
 
-double draw(boost::random::mt19937_64& engine) { return boost::random::uniform_01<double>()(engine); }
+// In [0, 1), from the upper 53 bits: what the distributions of the standard library give is not the same everywhere.
+double uniform_from(std::mt19937_64& engine) { return static_cast<double>(engine() >> 11) * 0x1p-53; }
 
-bool allowed(const Box& box, const Eigen::VectorXd& string) { return !box.allows || box.allows(string); }
+bool is_allowed(const Box& box, const Eigen::VectorXd& string) { return !box.allows || box.allows(string); }
 
-Eigen::VectorXd random_string(const Box& box, long most_tries, boost::random::mt19937_64& engine) {
+Eigen::VectorXd random_string(const Box& box, long most_tries, std::mt19937_64& engine) {
   Eigen::VectorXd string(box.lower.size());
   for (long n = 0; n < most_tries; ++n) {
     for (Eigen::Index k = 0; k < string.size(); ++k) {
-      string[k] = std::min(box.lower[k] + draw(engine) * (box.upper[k] - box.lower[k]), box.upper[k]);
+      string[k] = std::min(box.lower[k] + uniform_from(engine) * (box.upper[k] - box.lower[k]), box.upper[k]);
     }
-    if (allowed(box, string)) return string;
+    if (is_allowed(box, string)) return string;
   }
   throw std::invalid_argument(fmt::format(
       "genetic algorithm: the box must hold parameters that are allowed, and of {} strings drawn in it none was: make "
@@ -46,10 +46,10 @@ Eigen::VectorXd random_string(const Box& box, long most_tries, boost::random::mt
 
 // A child that is allowed; where none of many is, as between two islands, a random string.
 Eigen::VectorXd allowed_child(const Box& box, long most_tries, Population& population, Eigen::Index first) {
-  const auto uniform = [&] { return draw(population.engine); };
+  const auto uniform = [&] { return uniform_from(population.engine); };
   for (long n = 0; n < most_tries; ++n) {
     Eigen::VectorXd child = mated(population.strings.col(first), population.strings.col(first + 1), uniform);
-    if (allowed(box, child)) return child;
+    if (is_allowed(box, child)) return child;
   }
   return random_string(box, most_tries, population.engine);
 }
@@ -182,19 +182,19 @@ void require_fitting(const Population& population, const Box& box, const Genetic
 }  // namespace
 
 void validate(const GeneticAlgorithm& algorithm) {
-  require(algorithm.K >= 2 && algorithm.K % 2 == 0, "the number K of parents must be even and at least 2", algorithm.K,
-          "they mate in pairs");
+  require_of_algorithm(algorithm.K >= 2 && algorithm.K % 2 == 0, "the number K of parents must be even and at least 2",
+                       algorithm.K, "they mate in pairs");
   if (algorithm.S < 2 * algorithm.K) {
     throw std::invalid_argument(
         fmt::format("genetic algorithm: the S strings must hold K parents and their K children, got S = {} and K = {}: "
                     "raise S or lower K",
                     algorithm.S, algorithm.K));
   }
-  require(algorithm.rescaling > 0.0, "rescaling must be positive", algorithm.rescaling,
-          "leave it infinite for strings from the whole box");
-  require(algorithm.most_tries >= 1, "at least one string must be drawn, most_tries", algorithm.most_tries,
-          "take a thousand");
-  require(algorithm.threads >= 1, "there must be at least one thread", algorithm.threads, "take 1");
+  require_of_algorithm(algorithm.rescaling > 0.0, "rescaling must be positive", algorithm.rescaling,
+                       "leave it infinite for strings from the whole box");
+  require_of_algorithm(algorithm.most_tries >= 1, "at least one string must be drawn, most_tries", algorithm.most_tries,
+                       "take a thousand");
+  require_of_algorithm(algorithm.threads >= 1, "there must be at least one thread", algorithm.threads, "take 1");
   validate_window(algorithm.restart);
 }
 
@@ -204,17 +204,18 @@ void validate(const Stops& stops, const GeneticAlgorithm& algorithm) {
         "genetic algorithm: something must end it, and no stop was given: give a goal, or a limit of generations, "
         "evaluations or seconds");
   }
-  require(!stops.goal || !std::isnan(*stops.goal), "the goal must be a number", stops.goal.value_or(0.0),
-          "leave it out where there is none");
+  require_of_algorithm(!stops.goal || !std::isnan(*stops.goal), "the goal must be a number", stops.goal.value_or(0.0),
+                       "leave it out where there is none");
   for (const std::optional<long>& limit : {stops.generations, stops.evaluations}) {
-    require(limit.value_or(0) >= 0, "limits of generations and evaluations must not be negative", limit.value_or(0),
-            "leave out what has no limit");
+    require_of_algorithm(limit.value_or(0) >= 0, "limits of generations and evaluations must not be negative",
+                         limit.value_or(0), "leave out what has no limit");
   }
-  require(stops.seconds.value_or(0.0) >= 0.0, "the limit of seconds must not be negative", stops.seconds.value_or(0.0),
-          "leave it out where there is none");
+  require_of_algorithm(stops.seconds.value_or(0.0) >= 0.0, "the limit of seconds must not be negative",
+                       stops.seconds.value_or(0.0), "leave it out where there is none");
   validate_window(stops.stagnation);
-  require(!(stops.stagnation && algorithm.restart), "a run that starts anew on stagnation must not end on it", "both",
-          "choose one, and a limit of evaluations");
+  require_of_algorithm(!(stops.stagnation && algorithm.restart),
+                       "a run that starts anew on stagnation must not end on it", "both",
+                       "choose one, and a limit of evaluations");
 }
 
 Eigen::VectorXd mated(const Eigen::VectorXd& a, const Eigen::VectorXd& b, const std::function<double()>& uniform) {

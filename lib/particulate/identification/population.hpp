@@ -3,12 +3,12 @@
 #include <cstddef>
 #include <limits>
 #include <map>
+#include <random>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include <Eigen/Core>
-#include <boost/random/mersenne_twister.hpp>
 
 #include <particulate/identification/cost.hpp>
 
@@ -25,7 +25,7 @@ struct Population {
   std::map<std::string, long> without_value = {};  ///< evaluations that gave none, by reason
   Eigen::VectorXd aside = {};                      ///< the best string before the last restart; empty: there was none
   double aside_cost = std::numeric_limits<double>::quiet_NaN();  ///< its cost
-  boost::random::mt19937_64 engine = {};                         ///< draws every random number
+  std::mt19937_64 engine = {};  ///< draws every random number; the same on every platform
 };
 
 /// A set of parameters with its cost.

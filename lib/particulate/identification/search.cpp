@@ -13,7 +13,7 @@ namespace particulate::identification {
 namespace {
 
 // What does not change in a search.
-struct Task {
+struct SearchTask {
   const Cost& cost;
   const Residuals& residuals;
   const Box& box;
@@ -26,14 +26,14 @@ struct Task {
 };
 
 // Strings that have been polished, with what their parameters are now, as long as they are in the population.
-struct Done {
+struct PolishedStrings {
   std::vector<Eigen::VectorXd> strings = {};
   Best best = {};                                             // of all that were polished
   double squares = std::numeric_limits<double>::quiet_NaN();  // of the best
 };
 
 // Polishes a string of which at least two evaluations are left: one of the residuals and, after them, one of the cost.
-void polish_string(const Task& task, Eigen::Index k, Found& found, Done& done) {
+void polish_string(const SearchTask& task, Eigen::Index k, Found& found, PolishedStrings& done) {
   Population& population = found.population;
   Value& value = population.values[static_cast<std::size_t>(k)];
   Polishing polishing = task.numbers.polishing;
@@ -56,7 +56,7 @@ void polish_string(const Task& task, Eigen::Index k, Found& found, Done& done) {
   }
 }
 
-void polish_best(const Task& task, Found& found, Done& done) {
+void polish_best(const SearchTask& task, Found& found, PolishedStrings& done) {
   Population& population = found.population;
   std::vector<Eigen::VectorXd> before;
   std::swap(before, done.strings);
@@ -78,7 +78,7 @@ void polish_best(const Task& task, Found& found, Done& done) {
 }
 
 // The sum of squares of the best, which polishing knows already if it gave the best.
-void add_squares(const Task& task, const Done& done, Found& found) {
+void add_squares(const SearchTask& task, const PolishedStrings& done, Found& found) {
   const Best& best = found.ended.best;
   if (done.best.parameters.size() != 0 && best.parameters == done.best.parameters) {
     found.squares = done.squares;
@@ -101,11 +101,11 @@ Found search(const Cost& cost, const Residuals& residuals, const Box& box, const
   }
   const auto start = std::chrono::steady_clock::now();
   const auto seconds = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); };
-  const Task task{cost, residuals, box, numbers, stops};
+  const SearchTask task{cost, residuals, box, numbers, stops};
   Found found;
   found.population = first_population(box, numbers.algorithm, seed);
   const Population& population = found.population;
-  Done done;
+  PolishedStrings done;
   for (;;) {
     const long generation = population.generation;
     Stops next = stops;

@@ -32,7 +32,7 @@ struct Found {
 ///
 /// @equation{R 5.1} A child of two minima lies in the box that they span; where they agree in a parameter it has that
 /// too. So polished strings find a minimum among many that neither polishing nor mating finds alone. Polishing lowers
-/// the sum of squares, the algorithm the cost, and both are reported.
+/// the sum of squares, the algorithm the cost, and both are reported. One thread polishes, string after string.
 /// @param cost       what is to be small
 /// @param residuals  whose sum of squares is small where the cost is; none: nothing is polished
 /// @param box        where
