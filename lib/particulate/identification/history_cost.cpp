@@ -200,7 +200,7 @@ Simulated relative_energy_history(const kinematics::Particles& particles, const 
   });
   schemes::State state{.t = 0.0, .r = particles.position.reshaped(), .v = particles.velocity.reshaped()};
   const schemes::Outcome outcome =
-      schemes::integrate(problem, state, times.back(), schemes::Collocation<schemes::Gauss<6>>(),
+      schemes::integrate(problem, state, times.back(), schemes::Collocation<schemes::Gauss<8>>(),
                          schemes::ErrorControl{.TOL = TOL, .sweep_TOL = TOL}, sampling);
   if (outcome.status == schemes::Status::reached) return {.histories = {std::move(history)}};
   return {.reason = fmt::format("the run does not reach its end: {}", schemes::name(outcome.failure))};
