@@ -168,7 +168,8 @@ BOOST_AUTO_TEST_CASE(of_a_breathing_pair_is_that_of_its_closed_form) {
   const scenes::Scene scene(pair, kinematics::Space{},
                             laws::NearField{.alpha1 = 0.5, .alpha2 = 0.25, .beta1 = 2.0, .beta2 = 3.0});
   const std::vector<double> times{0.0, 0.3 * exact.period(), 0.9 * exact.period()};
-  const Simulated simulated = relative_energy_history(scene, times, 1e-12);
+  const Simulated simulated = relative_energy_history(scene, times, {.TOL = 1e-12});
+  BOOST_TEST(relative_energy_history(scene, times, {.most_steps = 3}).reason == "the run takes too many steps");
   BOOST_REQUIRE(simulated.reason == "");
   BOOST_TEST((simulated.histories.front().times == times));
   Eigen::Vector3d expected;

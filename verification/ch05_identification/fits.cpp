@@ -29,15 +29,15 @@ std::vector<kinematics::Particles> book_clouds(Eigen::Index N, int starts, std::
 }
 
 HistoryModel cloud_model(std::vector<kinematics::Particles> starts, std::vector<double> times, double beta1,
-                         double beta2) {
-  return [starts = std::move(starts), times = std::move(times), beta1, beta2](const Eigen::VectorXd& p,
-                                                                              Eigen::Index start) {
+                         double beta2, double TOL) {
+  return [starts = std::move(starts), times = std::move(times), beta1, beta2, TOL](const Eigen::VectorXd& p,
+                                                                                   Eigen::Index start) {
     const laws::NearField law{.alpha1 = std::exp(p[0]),
                               .alpha2 = std::exp(p[1]),
                               .beta1 = p.size() > 2 ? p[2] : beta1,
                               .beta2 = p.size() > 2 ? p[3] : beta2};
     return relative_energy_history(scenes::Scene(starts[static_cast<std::size_t>(start)], kinematics::Space{}, law),
-                                   times);
+                                   times, {.TOL = TOL});
   };
 }
 

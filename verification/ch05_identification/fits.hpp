@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -23,8 +24,8 @@ std::vector<particulate::kinematics::Particles> book_clouds(Eigen::Index N, int 
 /// The relative energy of clouds without contact, of (ln alpha1, ln alpha2, beta1, beta2); of the first two alone the
 /// exponents are (beta1, beta2).
 particulate::identification::HistoryModel cloud_model(std::vector<particulate::kinematics::Particles> starts,
-                                                      std::vector<double> times, double beta1 = 1.0,
-                                                      double beta2 = 2.0);
+                                                      std::vector<double> times, double beta1 = 1.0, double beta2 = 2.0,
+                                                      double TOL = 1e-6);
 
 /// A model's own history as what it is compared with.
 particulate::identification::HistoryCost own_cost(const particulate::identification::HistoryModel& model, int starts,

@@ -188,21 +188,27 @@ Eigen::VectorXd HistoryCost::sampled(const Eigen::VectorXd& parameters) const {
 }
 
 Simulated relative_energy_history(const kinematics::Particles& particles, const schemes::Problem& problem,
-                                  const std::vector<double>& times, double TOL) {
+                                  const std::vector<double>& times, const HistoryRun& run) {
   if (times.empty() || !(times.back() > 0.0)) {
     throw std::invalid_argument(
         "a history must have a time after the start at 0 s, got none: give the times to look at");
   }
   Sampled history{.times = times, .values = Eigen::VectorXd(static_cast<Eigen::Index>(times.size()))};
   Eigen::Index next = 0;
-  schemes::Sampling sampling(times, [&](const schemes::State& at) {
-    history.values[next++] = kinematics::split_kinetic_energy(particles.mass, schemes::velocities(at)).relative;
-  });
+  long steps = 0;
+  schemes::Sampling sampling(
+      times,
+      [&](const schemes::State& at) {
+        history.values[next++] = kinematics::split_kinetic_energy(particles.mass, schemes::velocities(at)).relative;
+      },
+      [&](const auto&...) { return ++steps < run.most_steps; });
   schemes::State state{.t = 0.0, .r = particles.position.reshaped(), .v = particles.velocity.reshaped()};
   const schemes::Outcome outcome =
       schemes::integrate(problem, state, times.back(), schemes::Collocation<schemes::Gauss<8>>(),
-                         schemes::ErrorControl{.TOL = TOL, .sweep_TOL = TOL}, sampling);
-  if (outcome.status == schemes::Status::reached) return {.histories = {std::move(history)}};
+                         schemes::ErrorControl{.TOL = run.TOL, .sweep_TOL = run.TOL}, sampling);
+  // A run that reaches its end in the last step allowed has all its times.
+  if (sampling.left() == 0) return {.histories = {std::move(history)}};
+  if (outcome.status == schemes::Status::stopped) return {.reason = "the run takes too many steps"};
   return {.reason = fmt::format("the run does not reach its end: {}", schemes::name(outcome.failure))};
 }
 

@@ -108,19 +108,26 @@ class HistoryCost {
   Eigen::VectorXd per_absolute_, per_square_;  // of each difference in the cost, and of its square in that of squares
 };
 
+/// How a history is simulated.
+struct HistoryRun {
+  double TOL = 1e-6;  ///< of the error of a step [-]
+  long most_steps =
+      1000;  ///< after which a run has no value: parameters that make bodies collapse would take hours [-]
+};
+
 /// The relative kinetic energy of a run at some times: per unit mass, about the centre of mass. By Gauss collocation
 /// of order 16, so that a history of a cloud at the default tolerance is good to some 1e-9 and smooth in the
-/// parameters.
+/// parameters, in some 50 steps.
 ///
 /// @equation{M 2.28}
 /// @param particles  the start
 /// @param problem    how they move
 /// @param times      rising, not before 0 [s]
-/// @param TOL        of the error of a step [-]
-/// @return one history; none if the run fails on the way, with the name of its Failure
+/// @param run        how
+/// @return one history; none if the run fails on the way, with the name of its Failure, or takes too many steps
 /// @throws std::invalid_argument for times and tolerances that cannot be meant
 Simulated relative_energy_history(const kinematics::Particles& particles, const schemes::Problem& problem,
-                                  const std::vector<double>& times, double TOL = 1e-6);
+                                  const std::vector<double>& times, const HistoryRun& run = {});
 
 /// The same of a scene:
 ///
@@ -131,12 +138,12 @@ Simulated relative_energy_history(const kinematics::Particles& particles, const 
 ///
 /// @param scene  the start and its laws
 /// @param times  rising, not before 0 [s]
-/// @param TOL    of the error of a step [-]
+/// @param run    how
 /// @return as above
 template <kinematics::Domain D, class... Laws>
 Simulated relative_energy_history(const scenes::Scene<D, Laws...>& scene, const std::vector<double>& times,
-                                  double TOL = 1e-6) {
-  return relative_energy_history(scene.particles(), schemes::Problem(scene), times, TOL);
+                                  const HistoryRun& run = {}) {
+  return relative_energy_history(scene.particles(), schemes::Problem(scene), times, run);
 }
 
 }  // namespace particulate::identification
