@@ -69,8 +69,11 @@ Eigen::VectorXd fit(const Residuals& residuals, const Box& box, const Eigen::Vec
   Eigen::VectorXd at = start, left = residuals(at);
   double damping = 1e-3;
   for (int step = 0; step < 50; ++step) {
-    const Eigen::MatrixXd J = sensitivities(residuals, at, absolute_steps(at.size(), 1e-5)).jacobian;
-    if (J.size() == 0) return at;
+    Eigen::MatrixXd J(left.size(), at.size());
+    for (Eigen::Index j = 0; j < at.size(); ++j) {
+      constexpr double h = 1e-6;
+      J.col(j) = (residuals(at + h * Eigen::VectorXd::Unit(at.size(), j)) - left) / h;
+    }
     const Eigen::MatrixXd square = J.transpose() * J;
     double fall = 0.0;
     for (; fall == 0.0 && damping < 1e12; damping *= 10.0) {
