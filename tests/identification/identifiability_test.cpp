@@ -255,6 +255,17 @@ BOOST_AUTO_TEST_CASE(hands_bounds_and_conditions_of_the_others_on) {
   (void)profile(residuals, conditional, best, 1, Eigen::Vector2d(1.0, 2.0), checks);
 }
 
+// A fit that adds 1 to what it is given shows where it started.
+BOOST_AUTO_TEST_CASE(starts_each_fit_where_its_neighbour_ended) {
+  const Residuals residuals = in_deviations(on_a_line, measured, Eigen::VectorXd::Ones(3));
+  const Refit adds = [](const Residuals&, const Box&, const Eigen::VectorXd& start) -> Eigen::VectorXd {
+    return start.array() + 1.0;
+  };
+  const Profile found = profile(residuals, box, best, 1, Eigen::Vector4d(0.5, 1.0, 2.0, 2.5), adds);
+  const Eigen::VectorXd others = found.parameters.row(0).transpose().array() - best[0];
+  BOOST_TEST(close(others, Eigen::Vector4d(2.0, 1.0, 1.0, 2.0), {.relative = 1e-15}));
+}
+
 BOOST_AUTO_TEST_CASE(refuses_what_it_cannot_follow) {
   const Residuals residuals = in_deviations(on_a_line, measured, Eigen::VectorXd::Ones(3));
   const auto of = [&](Eigen::Index which, const Eigen::VectorXd& at, double rise = 1.0) {
