@@ -106,7 +106,7 @@ const Case landscape{
     {.name = "landscape",
      .claim = "over half a second the cost of a cloud's relative energy has one valley in the box of half to twice the "
               "true strengths; over two seconds it has several local minima",
-     .equation = "R 5",
+     .equation = "R 5.1",
      .reference = Reference::design},
     [](Rows& rows) {
       const Eigen::Index N = rows.quick() ? 8 : 20;
@@ -210,7 +210,7 @@ const Case contacts{
     {.name = "contacts_make_the_cost_jump",
      .claim = "contacts make the cost jump where a parameter moves by 1e-4 to 1e-3 of itself; differences over such "
               "steps often mislead, over a hundredth less often, and without contacts never",
-     .equation = "R 5",
+     .equation = "R 5.1",
      .reference = Reference::design},
     [](Rows& rows) {
       constexpr Eigen::Index N = 60;

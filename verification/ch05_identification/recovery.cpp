@@ -62,7 +62,7 @@ HistoryCost cost_of(const Closed& exact, const std::vector<double>& times) {
 const Case closed_forms{
     {.name = "recovery_closed_forms",
      .claim = "the strengths of a near field are found from the history of a breathing pair or polygon",
-     .equation = "D 5",
+     .equation = "D 5.1",
      .reference = Reference::closed_form},
     [](Rows& rows) {
       constexpr double alpha1 = 0.5, alpha2 = 0.25;
@@ -142,7 +142,7 @@ const Case noisy_cloud{
     {.name = "recovery_cloud",
      .claim = "from a cloud's relative energy with 1 % noise the equilibrium distance and the stiffness are found, the "
               "strength of attraction is not, and all lie as far off as the covariance says",
-     .equation = "D 5",
+     .equation = "D 5.1",
      .reference = Reference::statistics},
     [](Rows& rows) {
       const NoisyClouds clouds(rows);
@@ -191,7 +191,7 @@ const Case noisy_cloud{
 const Case given_exponents{
     {.name = "recovery_given_exponents",
      .claim = "from a cloud's relative energy with 1 % noise both strengths are found where the exponents are given",
-     .equation = "D 5",
+     .equation = "D 5.1",
      .reference = Reference::statistics},
     [](Rows& rows) {
       const NoisyClouds clouds(rows);
@@ -242,7 +242,7 @@ const Case profiles{
      .claim =
          "where noise is so small that the model is linear in it profiles have the intervals of the covariance; with "
          "1 % that of the strength of attraction reaches farther up than down",
-     .equation = "D 5",
+     .equation = "D 5.1",
      .reference = Reference::identity},
     [](Rows& rows) {
       const ProfiledClouds clouds(6);
@@ -271,7 +271,7 @@ const Case profiles{
 const Case unseen{
     {.name = "profile_without_end",
      .claim = "what a small swing says of the exponents is nothing: the profile is flat, the interval without ends",
-     .equation = "D 5",
+     .equation = "D 5.1",
      .reference = Reference::design},
     [](Rows& rows) {
       const Eigen::Vector4d truth{0.0, 0.0, 1.0, 2.0};                // of the shape

@@ -90,7 +90,7 @@ double error_of(const Eigen::MatrixXd& J, const Eigen::MatrixXd& exact) {
 const Case variational{
     {.name = "sensitivities_variational",
      .claim = "central differences of the relative energy are its derivatives by the parameters, to order 2",
-     .equation = "D 5",
+     .equation = "D 5.1",
      .reference = Reference::sundials},
     [](Rows& rows) {
       const std::vector<double> times = moments(T, 20);
@@ -134,7 +134,7 @@ const Case of_a_cloud{
     {.name = "sensitivities_of_a_cloud",
      .claim = "the relative energy of a cloud determines where its near field balances and how stiff it is there, and "
               "neither its strengths nor its exponents",
-     .equation = "D 5",
+     .equation = "D 5.1",
      .reference = Reference::independent_method},
     [](Rows& rows) {
       struct Expected {

@@ -61,8 +61,8 @@ struct Parts {
 /// \f[ \Pi(\Lambda) = \sum_h \frac{w_h}{\sum w} \frac1R \sum_{r=1}^R
 ///     \frac{\int_0^T |A_{hr}(\Lambda) - A_{hr}^*|\,dt}{\int_0^T |A_{hr}^*|\,dt} \f]
 ///
-/// @equation{R 5} Over targets h and starts r; integrals by the trapezoidal rule over the times of the target. A start
-/// without a value leaves the parameters without one.
+/// @equation{R 5.1} Over targets h and starts r; integrals by the trapezoidal rule over the times of the target. A
+/// start without a value leaves the parameters without one.
 class HistoryCost {
  public:
   /// @param targets  at least one; each with as many starts, weights not all zero
@@ -84,7 +84,7 @@ class HistoryCost {
   /// \f[ \rho_{hrk} = \sqrt{\frac{w_h}{R \sum w}\, \frac{q_k}{\int_0^T {A_{hr}^*}^2 dt}}\;
   ///     (A_{hr}(\Lambda) - A_{hr}^*)(t_k) \f]
   ///
-  /// @equation{R 5} q_k are the weights of the trapezoidal rule.
+  /// @equation{R 5.1} q_k are the weights of the trapezoidal rule.
   /// @param parameters  of which they are asked
   /// @return one a target, start and time, in the order of sampled(); empty where there is no value
   /// @throws std::invalid_argument as the cost does

@@ -32,7 +32,7 @@ struct Sensitivities {
 ///
 /// \f[ J_{kj} = \frac{y_k(p + h_j e_j) - y_k(p - h_j e_j)}{2 h_j} \f]
 ///
-/// @equation{D 5}
+/// @equation{D 5.1}
 /// @param model  the model, asked twice a parameter
 /// @param at     p, where
 /// @param by     steps h_j: step times size
@@ -45,7 +45,7 @@ Sensitivities sensitivities(const SampledModel& model, const Eigen::VectorXd& at
 /// \f[ \frac{\partial y}{\partial q} = \frac{\partial y}{\partial p} \left(\frac{\partial q}{\partial p}\right)^{-1}
 /// \f]
 ///
-/// @equation{D 5}
+/// @equation{D 5.1}
 /// @param jacobian    to p
 /// @param derivative  dq/dp, square
 /// @return to q
@@ -69,8 +69,8 @@ struct Uncertainty {
 /// \f[ \frac{J_{kj}}{\sigma_k} = \sum_i u_{ki}\, s_i\, v_{ji}, \qquad
 ///     \mathrm{cov} = \sum_i \frac{v_i v_i^T}{s_i^2} \f]
 ///
-/// @equation{D 5} The covariance of least squares over independent normal noise. Singular values depend on the units of
-/// the parameters: take logarithms of what is positive.
+/// @equation{D 5.1} The covariance of least squares over independent normal noise. Singular values depend on the units
+/// of the parameters: take logarithms of what is positive.
 /// @param jacobian  a row a datum, a column a parameter
 /// @param noise     standard deviation of each datum, > 0
 /// @param unseen    singular values up to this share of the largest count as zero, at least the error of the Jacobian's
@@ -81,7 +81,7 @@ Uncertainty uncertainty(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& 
 
 /// What the data say against a model, in standard deviations: residuals of which the sum of squares is a chi-square.
 ///
-/// @equation{D 5}
+/// @equation{D 5.1}
 /// @param model  the model
 /// @param data   what was measured
 /// @param noise  standard deviation of each datum, > 0
@@ -110,7 +110,7 @@ struct Profile {
 /// \f[ \chi^2_j(x) = \min_{p:\, p_j = x} \chi^2(p), \qquad
 ///     \text{interval: } \chi^2_j(x) \le \min \chi^2 + \text{rise} \f]
 ///
-/// @equation{D 5} Unlike the covariance it does not take the model as linear. From the best outwards each fit starts
+/// @equation{D 5.1} Unlike the covariance it does not take the model as linear. From the best outwards each fit starts
 /// where its neighbour ended. Between two values the root of the rise is interpolated, which a parabola has straight.
 /// @param residuals  such as in_deviations()
 /// @param box        of all parameters
