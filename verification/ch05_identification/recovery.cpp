@@ -138,6 +138,23 @@ Off found_all(const NoisyClouds& clouds, std::uint64_t first_seed) {
   return off;
 }
 
+// Whether what was found is as far off as the covariance says, no less and no more.
+void compare_with_bars(Rows& rows, const Off& off, const Uncertainty& of, const Uncertainty& shape) {
+  rows.at_most("largest error over its error bar, all parameters [-]",
+               {.limit = 4.0,
+                .computed = std::max((off.parameters.array().colwise() / of.deviation.array()).abs().maxCoeff(),
+                                     (off.shape.array().colwise() / shape.deviation.array()).abs().maxCoeff()),
+                .because = "of some tens of numbers, each beyond four with a chance of 6e-5"});
+  // By Wilson and Hilferty the cube root of chi-square over its mean is normal.
+  const double freedom = static_cast<double>(off.shape.size()), variance = 2.0 / (9.0 * freedom);
+  const double chi_square = off.shape.cwiseProduct(shape.covariance.ldlt().solve(off.shape)).sum();
+  rows.compare("chi-square of all errors with their covariance, as a normal deviate [-]",
+               {.expected = 0.0,
+                .computed = (std::cbrt(chi_square / freedom) - 1.0 + variance) / std::sqrt(variance),
+                .tolerance = absolute(4.0),
+                .because = "four standard deviations, to either side"});
+}
+
 const Case noisy_cloud{
     {.name = "recovery_cloud",
      .claim = "from a cloud's relative energy with 1 % noise the equilibrium distance and the stiffness are found, the "
@@ -165,19 +182,7 @@ const Case noisy_cloud{
       rows.at_most(
           "rise of chi-square where alpha1 is held 4 % off and the others are fitted anew [-]",
           {.limit = 1.0, .computed = held.cost.maxCoeff(), .because = "less than what noise does to one datum"});
-      rows.at_most("largest error over its error bar, all parameters [-]",
-                   {.limit = 4.0,
-                    .computed = std::max((off.parameters.array().colwise() / of.deviation.array()).abs().maxCoeff(),
-                                         (off.shape.array().colwise() / shape.deviation.array()).abs().maxCoeff()),
-                    .because = "of some tens of numbers, each beyond four with a chance of 6e-5"});
-      // By Wilson and Hilferty the cube root of chi-square over its mean is normal.
-      const double freedom = 4.0 * clouds.seeds, variance = 2.0 / (9.0 * freedom);
-      const double chi_square = off.shape.cwiseProduct(shape.covariance.ldlt().solve(off.shape)).sum();
-      rows.compare("chi-square of all errors with their covariance, as a normal deviate [-]",
-                   {.expected = 0.0,
-                    .computed = (std::cbrt(chi_square / freedom) - 1.0 + variance) / std::sqrt(variance),
-                    .tolerance = absolute(4.0),
-                    .because = "four standard deviations, to either side"});
+      compare_with_bars(rows, off, of, shape);
       report::Table shown({"parameter", "error bar [-]", "largest error [-]"});
       const std::array names{"ln alpha1", "ln alpha2", "beta1", "beta2"};
       for (Eigen::Index k = 0; k < 4; ++k) {
