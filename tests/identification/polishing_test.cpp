@@ -31,6 +31,15 @@ BOOST_AUTO_TEST_CASE(finds_the_least_sum_of_squares_from_afar) {
   }
 }
 
+// Rounded, the middle of a box may be off by a few eps: no length by which to judge steps.
+BOOST_AUTO_TEST_CASE(sets_out_from_the_middle_of_a_box) {
+  for (const double middle : {0.5, 0.6, 0.65, 0.75}) {
+    const Eigen::VectorXd at = Eigen::Vector2d::Constant(middle);
+    const Polished one = polish(valley, {.lower = at.array() - 1.7, .upper = at.array() + 1.7}, at);
+    BOOST_TEST((one.parameters - Eigen::Vector2d::Ones()).norm() < 1e-6);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(counts_every_evaluation) {
   long calls = 0;
   const Residuals counted = [&](const Eigen::VectorXd& x) {

@@ -6,9 +6,8 @@
 #include <boost/random/mersenne_twister.hpp>
 #include <boost/random/normal_distribution.hpp>
 
-#include <Eigen/Cholesky>
-
 #include <ch04_simulations/clouds.hpp>
+#include <particulate/identification/polishing.hpp>
 #include <particulate/laws/near_field.hpp>
 
 namespace verification {
@@ -66,30 +65,7 @@ Eigen::VectorXd with_noise(const Eigen::VectorXd& values, double share, std::uin
 }
 
 Eigen::VectorXd fit(const Residuals& residuals, const Box& box, const Eigen::VectorXd& start) {
-  Eigen::VectorXd at = start, left = residuals(at);
-  double damping = 1e-3;
-  for (int step = 0; step < 50; ++step) {
-    Eigen::MatrixXd J(left.size(), at.size());
-    for (Eigen::Index j = 0; j < at.size(); ++j) {
-      constexpr double h = 1e-6;
-      J.col(j) = (residuals(at + h * Eigen::VectorXd::Unit(at.size(), j)) - left) / h;
-    }
-    const Eigen::MatrixXd square = J.transpose() * J;
-    double fall = 0.0;
-    for (; fall == 0.0 && damping < 1e12; damping *= 10.0) {
-      Eigen::MatrixXd damped = square;
-      damped.diagonal() *= 1.0 + damping;
-      const Eigen::VectorXd to =
-          (at - damped.ldlt().solve(J.transpose() * left)).cwiseMax(box.lower).cwiseMin(box.upper);
-      const Eigen::VectorXd there = residuals(to);
-      if (there.size() == 0 || !(there.squaredNorm() < left.squaredNorm())) continue;
-      fall = 1.0 - there.squaredNorm() / left.squaredNorm();
-      at = to, left = there;
-      damping *= 1e-3;
-    }
-    if (fall < 1e-6) return at;
-  }
-  return at;
+  return polish(residuals, box, start).parameters;
 }
 
 }  // namespace verification

@@ -42,7 +42,7 @@ inline particulate::identification::Differences absolute_steps(Eigen::Index para
   return {.step = step, .size = Eigen::VectorXd::Ones(parameters)};
 }
 
-/// Least squares by Levenberg and Marquardt. It ends where the sum of squares falls by less than 1e-6 of itself.
+/// Least squares by polish(), with its defaults.
 Eigen::VectorXd fit(const particulate::identification::Residuals& residuals,
                     const particulate::identification::Box& box, const Eigen::VectorXd& start);
 

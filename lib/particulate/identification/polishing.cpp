@@ -35,16 +35,19 @@ class OfAngles {
 
   int values() const { return static_cast<int>(first_.size()); }
 
-  Eigen::VectorXd angles_of(const Eigen::VectorXd& parameters) const {
+  Eigen::VectorXd first_angles() {
     constexpr double off_bound = 1e-3;
-    const Eigen::ArrayXd share = ((parameters - box_.lower).array() / width_.array()).cwiseMax(off_bound);
-    return (2.0 * share.cwiseMin(1.0 - off_bound) - 1.0).asin();
+    from_ = best_.parameters.cwiseMax(box_.lower + off_bound * width_).cwiseMin(box_.upper - off_bound * width_);
+    angles_ = (1.0 - 2.0 * (from_ - box_.lower).array() / width_.array()).acos();
+    return angles_;
   }
 
   // Both return a negative number once the evaluations are used up, which ends the solver.
   int operator()(const Eigen::VectorXd& angles, Eigen::VectorXd& values) {
-    at_ = box_.lower + (0.5 * width_.array() * (1.0 + angles.array().sin())).matrix();
+    at_ = box_.lower + (0.5 * width_.array() * (1.0 - angles.array().cos())).matrix();
     at_ = at_.cwiseMax(box_.lower).cwiseMin(box_.upper);
+    // Rounding must not carry the start across the edge of where there are residuals.
+    at_ = (angles.array() == angles_.array()).select(from_, at_);
     here_ = residuals_at(at_);
     if (here_.size() == 0) here_.setConstant(first_.size(), far_off);
     values = here_;
@@ -53,7 +56,7 @@ class OfAngles {
   // The solver differentiates where it has just evaluated.
   int df(const Eigen::VectorXd& angles, Eigen::MatrixXd& jacobian) {
     for (Eigen::Index i = 0; i < at_.size(); ++i) {
-      jacobian.col(i) = 0.5 * width_[i] * std::cos(angles[i]) * slope(i);
+      jacobian.col(i) = 0.5 * width_[i] * std::sin(angles[i]) * slope(i);
     }
     return used_up_ ? -1 : 0;
   }
@@ -106,6 +109,7 @@ class OfAngles {
   const Box& box_;
   const Polishing& polishing_;
   Eigen::VectorXd width_, first_;  // residuals at the start
+  Eigen::VectorXd from_, angles_;  // where it sets out, off the bounds
   Eigen::VectorXd at_, here_;      // the last place asked for, and its residuals
   Polished best_;
   bool used_up_ = false;
@@ -163,7 +167,7 @@ Polished polish(const Residuals& residuals, const Box& box, const Eigen::VectorX
   solver.parameters.ftol = polishing.tolerance;
   solver.parameters.xtol = std::sqrt(std::numeric_limits<double>::epsilon());
   solver.parameters.factor = 1.0;
-  Eigen::VectorXd angles = function.angles_of(start);
+  Eigen::VectorXd angles = function.first_angles();
   Eigen::LevenbergMarquardtSpace::Status status = solver.minimizeInit(angles);
   while (status == Eigen::LevenbergMarquardtSpace::NotStarted || status == Eigen::LevenbergMarquardtSpace::Running) {
     status = solver.minimizeOneStep(angles);

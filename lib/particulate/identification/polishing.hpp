@@ -36,7 +36,7 @@ void validate(const Polishing& polishing);
 /// Minimizes a sum of squares from a start on, by the method of Levenberg and Marquardt.
 ///
 /// \f[ \min_\Lambda \sum_k \rho_k(\Lambda)^2, \qquad
-///     \Lambda_i = l_i + \tfrac12 (u_i - l_i)(1 + \sin\theta_i) \f]
+///     \Lambda_i = l_i + \tfrac12 (u_i - l_i)(1 - \cos\theta_i) \f]
 ///
 /// @equation{R 5.1} The gradient-type method after the genetic algorithm. It moves in the angles \f$ \theta \f$, which
 /// have no bounds; a start within 1e-3 of a bound, in widths of the box, moves off it by as much, since at a bound the
