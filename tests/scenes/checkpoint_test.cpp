@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include <boost/random/mersenne_twister.hpp>
+
 #include <particulate/contact/contact.hpp>
 #include <particulate/contact/friction.hpp>
 #include <particulate/contact/located_contact.hpp>
@@ -297,6 +299,13 @@ BOOST_AUTO_TEST_CASE(refuses_another_scene_and_says_where_it_differs) {
   CHECK_REFUSED(back(bytes, made_of + "more = 1\n"),
                 "line 4 of what it is made of is \"\" there and \"more = 1\" here");
   CHECK_REFUSED(back(bytes, made_of, 2), "must be of 2 particles, got one of 3 numbers for places");
+}
+
+BOOST_AUTO_TEST_CASE(sets_an_engine_of_boost_to_where_another_was) {
+  boost::random::mt19937_64 one(5), other;
+  one.discard(1000);
+  set_engine(text_of(one), other);
+  BOOST_TEST(one() == other());
 }
 
 BOOST_AUTO_TEST_CASE(refuses_names_with_blanks_and_other_engines) {

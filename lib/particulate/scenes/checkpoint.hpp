@@ -81,7 +81,8 @@ namespace detail {
 /// @throws std::invalid_argument if its operator >> does not read the text
 template <class Engine>
 void set_engine(const std::string& text, Engine& engine) {
-  std::istringstream stream(text);
+  // Engines of Boost want to skip a blank after their last number, and fail where the text has ended.
+  std::istringstream stream(text + ' ');
   if (!(stream >> engine)) detail::refuse_engine();
 }
 
