@@ -66,8 +66,9 @@ Place place_of(const Mated& mated, Index child, const std::pair<Index, Index>& p
   for (Index k = 0; k < 3; ++k) {
     const double outside = std::max(std::min(a[k], b[k]) - c[k], c[k] - std::max(a[k], b[k]));
     // What is no number is outside.
-    if (!(outside <= place.outside))
+    if (!(outside <= place.outside)) {
       place = {k, std::isnan(outside) ? std::numeric_limits<double>::infinity() : outside};
+    }
   }
   return place;
 }
@@ -95,8 +96,7 @@ Found children_and_others(const Mated& mated) {
   const auto [K, S] = Numbers{mated.K, mated.S};
   const std::string expected =
       fmt::format("{} children in the strings {} to {}, and all others as they were", K, K, 2 * K - 1);
-  if (mated.is_resized)
-    return Finding{expected, "another number of strings", "children replace strings: resize nothing"};
+  if (mated.is_resized) return Finding{expected, "strings of another number", "children replace strings: resize none"};
   if (mated.after == mated.before) return Finding{expected, "no string was changed", "is this still the stub?"};
   if (!mated.after.allFinite()) return Finding{expected, "a string that is not finite", "look for 0/0 and overflow"};
   for (Index n = 0; n < S; ++n) {
@@ -170,10 +170,10 @@ Line pairs_line(int variant, Draw& draw) {
   return line;
 }
 
-// A rounding shows in a few of a hundred parameters; here are 450.
+// A rounding shows in every other parameter of such parents.
 Line alike_line(int variant, Draw& draw) {
   Line line{.name = "parents that are alike: the same child, to the last bit", .points = 2.0, .relative = 0.0};
-  for (const Numbers& of : {Numbers{50, 100}, Numbers{50, 100}, Numbers{50, 100}}) {
+  for (const Numbers& of : {Numbers{2, 4}, Numbers{20, 40}}) {
     line.questions.push_back(
         ask(of, 0.0, draw, [variant](const Mated& mated) { return same_as_its_parents(mated, variant); }));
   }

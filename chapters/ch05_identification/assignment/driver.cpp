@@ -17,17 +17,16 @@ Uniform uniform_from(std::mt19937_64& engine) {
 std::uint64_t seed_of(double number) { return static_cast<std::uint64_t>(number); }
 
 // Inputs: K S spread seed. How many parameters and strings there are afterwards, the strings before, the strings after.
-// Parents have three parameters, which differ by up to the spread; what is to be replaced lies far from them. Where
-// they do not differ they are a little less than 1, so that roundings show.
+// Parents have three parameters, which differ by up to the spread; what is to be replaced lies far from them. Those of
+// spread 0 are the number below 1, whose last digit is odd: sums half way to a neighbour are rounded to the neighbour.
 Numbers mated_once(const Numbers& x) {
   const auto K = static_cast<Eigen::Index>(x[0]), S = static_cast<Eigen::Index>(x[1]);
   const auto at = cloud::shares(seed_of(x[3]), static_cast<std::size_t>(S));
   Eigen::MatrixXd before(3, S);
   for (Eigen::Index n = 0; n < S; ++n) {
     for (Eigen::Index k = 0; k < 3; ++k) {
-      const auto component = static_cast<std::size_t>(k);
-      before(k, n) =
-          0.9 + 0.1 * at[0][component] + x[2] * at[static_cast<std::size_t>(n)][component] + (n < K ? 0.0 : 9.0);
+      const double share = at[static_cast<std::size_t>(n)][static_cast<std::size_t>(k)];
+      before(k, n) = 1.0 - 0x1p-53 + x[2] * share + (n < K ? 0.0 : 9.0);
     }
   }
   Eigen::MatrixXd after = before;

@@ -221,7 +221,7 @@ const std::vector<Mistake<Functions>> mistakes{
 
     // Children behind all that there is.
     // graded: --variant 1 --student anna|bob@school.edu -> 0
-    // hint: resize nothing
+    // hint: resize none
     {"appended", &Functions::mate,
      [](MatrixXd& strings, Index K, const Uniform& uniform) {
        MatrixXd all = strings;
