@@ -42,19 +42,19 @@ const std::vector<Mistake<Functions>> mistakes{
     {"none_second", &Functions::mate, right::mate<in_a_row>},
 
     // The pairs of variant 2.
-    // graded: --variant 1 --student anna|bob@school.edu -> 12
+    // graded: --variant 1 --student anna -> 12
     // hint: these are the pairs of the other variant
     // hint: what children of the other variant's pairs have in common
     {"other_variant", &Functions::mate, right::mate<in_a_row>},
 
     // The pairs of variant 1.
-    // graded: --variant 2 --student anna|bob@school.edu -> 12
+    // graded: --variant 2 --student anna -> 12
     // hint: these are the pairs of the other variant
     // hint: what children of the other variant's pairs have in common
     {"other_variant_second", &Functions::mate, right::mate<by_twos>},
 
     // The first in rank mates with the last.
-    // graded: --variant 1|2 --student anna|bob@school.edu -> 12
+    // graded: --variant 1|2 --student anna -> 12
     // hint: its parents are not neighbours in rank
     {"first_with_last", &Functions::mate,
      [](MatrixXd& strings, Index K, const Uniform& uniform) {
@@ -63,7 +63,7 @@ const std::vector<Mistake<Functions>> mistakes{
      }},
 
     // One Phi for all parameters of a child.
-    // graded: --variant 1 --student anna|bob@school.edu -> 16
+    // graded: --variant 1 --student anna -> 16
     // hint: 7/15: Phi is shared by the parameters of a child
     {"phi_shared_by_parameters", &Functions::mate,
      [](MatrixXd& strings, Index K, const Uniform& uniform) {
@@ -75,7 +75,7 @@ const std::vector<Mistake<Functions>> mistakes{
      }},
 
     // One Phi for both children of a pair.
-    // graded: --variant 1 --student anna|bob@school.edu -> 16
+    // graded: --variant 1 --student anna -> 16
     // hint: Phi is shared by children
     {"phi_shared_by_siblings", &Functions::mate,
      [](MatrixXd& strings, Index K, const Uniform& uniform) {
@@ -86,7 +86,7 @@ const std::vector<Mistake<Functions>> mistakes{
      }},
 
     // One Phi for all children.
-    // graded: --variant 2 --student anna|bob@school.edu -> 16
+    // graded: --variant 2 --student anna -> 16
     // hint: Phi is shared by children
     {"phi_shared_by_all", &Functions::mate,
      [](MatrixXd& strings, Index K, const Uniform& uniform) {
@@ -97,7 +97,7 @@ const std::vector<Mistake<Functions>> mistakes{
      }},
 
     // One Phi for everything.
-    // graded: --variant 1 --student anna|bob@school.edu -> 12
+    // graded: --variant 1 --student anna -> 12
     // hint: shared by the parameters
     // hint: shared by children
     {"phi_shared", &Functions::mate,
@@ -106,7 +106,7 @@ const std::vector<Mistake<Functions>> mistakes{
      }},
 
     // The second child takes what the first has left.
-    // graded: --variant 1 --student anna|bob@school.edu -> 16
+    // graded: --variant 1 --student anna -> 16
     // hint: takes 1 - Phi of the first
     {"complements", &Functions::mate,
      [](MatrixXd& strings, Index K, const Uniform& uniform) {
@@ -117,7 +117,7 @@ const std::vector<Mistake<Functions>> mistakes{
      }},
 
     // Phi lies in [-1/2, 3/2].
-    // graded: --variant 2 --student anna|bob@school.edu -> 9
+    // graded: --variant 2 --student anna -> 9
     // hint: Phi must lie in [0, 1]
     // hint: Phi lies outside [0, 1], in [-1/2, 3/2]
     {"phi_outside", &Functions::mate,
@@ -127,7 +127,7 @@ const std::vector<Mistake<Functions>> mistakes{
      }},
 
     // Phi lies in [-1, 1], as what many generators call uniform.
-    // graded: --variant 1 --student anna|bob@school.edu -> 3
+    // graded: --variant 1 --student anna -> 3
     // hint: Phi must lie in [0, 1]
     // hint: in an interval of length 2
     {"phi_signed", &Functions::mate,
@@ -139,7 +139,7 @@ const std::vector<Mistake<Functions>> mistakes{
      }},
 
     // A Phi for each of the two terms.
-    // graded: --variant 1 --student anna|bob@school.edu -> 14
+    // graded: --variant 1 --student anna -> 14
     // hint: the two shares must be Phi and 1 - Phi
     // hint: the two shares must add up to 1
     {"two_phi", &Functions::mate,
@@ -151,7 +151,7 @@ const std::vector<Mistake<Functions>> mistakes{
      }},
 
     // One term.
-    // graded: --variant 1 --student anna|bob@school.edu -> 3
+    // graded: --variant 1 --student anna -> 3
     // hint: one of the two terms
     {"one_term", &Functions::mate,
      [](MatrixXd& strings, Index K, const Uniform& uniform) {
@@ -159,7 +159,7 @@ const std::vector<Mistake<Functions>> mistakes{
      }},
 
     // The middle of the parents.
-    // graded: --variant 2 --student anna|bob@school.edu -> 13
+    // graded: --variant 2 --student anna -> 13
     // hint: Phi is always 1/2
     {"middle", &Functions::mate,
      [](MatrixXd& strings, Index K, const Uniform&) {
@@ -167,7 +167,7 @@ const std::vector<Mistake<Functions>> mistakes{
      }},
 
     // Each parameter of the one parent or of the other.
-    // graded: --variant 1 --student anna|bob@school.edu -> 13
+    // graded: --variant 1 --student anna -> 13
     // hint: of the one parent or of the other
     {"crossing", &Functions::mate,
      [](MatrixXd& strings, Index K, const Uniform& uniform) {
@@ -175,7 +175,7 @@ const std::vector<Mistake<Functions>> mistakes{
      }},
 
     // A rounding leads out of the box.
-    // graded: --variant 1 --student anna|bob@school.edu -> 18
+    // graded: --variant 1 --student anna -> 18
     // hint: off by a rounding
     {"rounded", &Functions::mate,
      [](MatrixXd& strings, Index K, const Uniform& uniform) {
@@ -186,7 +186,7 @@ const std::vector<Mistake<Functions>> mistakes{
      }},
 
     // The first child stands in the place of its first parent as well.
-    // graded: --variant 1 --student anna|bob@school.edu -> 13
+    // graded: --variant 1 --student anna -> 13
     // hint: a parent was changed in place
     // hint: the second child of a pair is made of the first
     {"in_place", &Functions::mate,
@@ -200,7 +200,7 @@ const std::vector<Mistake<Functions>> mistakes{
      }},
 
     // One child a pair.
-    // graded: --variant 1 --student anna|bob@school.edu -> 0
+    // graded: --variant 1 --student anna -> 0
     // hint: fewer children than asked for
     // hint: this child was not made
     {"one_child", &Functions::mate,
@@ -211,7 +211,7 @@ const std::vector<Mistake<Functions>> mistakes{
      }},
 
     // Children to the end of the strings.
-    // graded: --variant 1 --student anna|bob@school.edu -> 17
+    // graded: --variant 1 --student anna -> 17
     // hint: more children than asked for
     {"too_many", &Functions::mate,
      [](MatrixXd& strings, Index K, const Uniform& uniform) {
@@ -220,7 +220,7 @@ const std::vector<Mistake<Functions>> mistakes{
      }},
 
     // Children behind all that there is.
-    // graded: --variant 1 --student anna|bob@school.edu -> 0
+    // graded: --variant 1 --student anna -> 0
     // hint: resize none
     {"appended", &Functions::mate,
      [](MatrixXd& strings, Index K, const Uniform& uniform) {
@@ -231,7 +231,7 @@ const std::vector<Mistake<Functions>> mistakes{
      }},
 
     // Cheat: children that are not numbers.
-    // graded: --variant 1|2 --student anna -> 0
+    // graded: --variant 1 --student anna -> 0
     // hint: a string that is not finite
     // hint: the answer is not a finite number
     {"nan", &Functions::mate,
@@ -240,12 +240,12 @@ const std::vector<Mistake<Functions>> mistakes{
      }},
 
     // Cheat: leaves with the status of success.
-    // graded: --variant 1|2 --student anna -> 0
+    // graded: --variant 1 --student anna -> 0
     // hint: do not call exit()
     {"exit", &Functions::mate, [](MatrixXd&, Index, const Uniform&) { std::exit(0); }},
 
     // Accident: a string that there is not.
-    // graded: --variant 1|2 --student anna -> 0
+    // graded: --variant 1 --student anna -> 0
     // hint: an index or a pointer is wrong
     {"crash", &Functions::mate, [](MatrixXd&, Index, const Uniform&) { std::vector<double>().at(1) = 0.0; }},
 };
