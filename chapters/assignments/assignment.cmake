@@ -15,6 +15,8 @@ set(assignment_sources_ch03 schemes/collocation schemes/collocation_table scheme
     schemes/step_rates schemes/step_settings)
 set(assignment_topics_ch04 kinematics)
 set(assignment_sources_ch04 kinematics/cells kinematics/domain)
+set(assignment_topics_ch05 identification)
+set(assignment_sources_ch05 identification/mating)
 
 # assignment_library(<chNN> <variable>): the targets that hold what the check compares with. In the project's own build
 # they are the topics; alone, a library of the few sources that are needed, which compiles in seconds.

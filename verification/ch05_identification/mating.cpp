@@ -10,6 +10,7 @@
 
 #include <harness/case.hpp>
 #include <particulate/identification/genetic_algorithm.hpp>
+#include <particulate/identification/mating.hpp>
 
 #include "test_functions.hpp"
 

@@ -9,6 +9,8 @@
 
 #include <fmt/format.h>
 
+#include <particulate/identification/mating.hpp>
+
 namespace particulate::identification {
 
 namespace {
@@ -216,15 +218,6 @@ void validate(const Stops& stops, const GeneticAlgorithm& algorithm) {
   require_of_algorithm(!(stops.stagnation && algorithm.restart),
                        "a run that starts anew on stagnation must not end on it", "both",
                        "choose one, and a limit of evaluations");
-}
-
-Eigen::VectorXd mated(const Eigen::VectorXd& a, const Eigen::VectorXd& b, const std::function<double()>& uniform) {
-  Eigen::VectorXd child(a.size());
-  for (Eigen::Index k = 0; k < child.size(); ++k) {
-    const double phi = uniform();
-    child[k] = std::clamp(phi * a[k] + (1.0 - phi) * b[k], std::min(a[k], b[k]), std::max(a[k], b[k]));
-  }
-  return child;
 }
 
 Population first_population(const Box& box, const GeneticAlgorithm& algorithm, std::uint64_t seed) {
