@@ -1,4 +1,4 @@
-//! @page ch05_identification Chapter 5: Inverse problems and the genetic algorithm
+//! @page ch05_identification Chapter 5: Inverse problems
 //! @brief Which near field makes a cloud move as it was seen to move, how one finds it, and how sure one may be.
 //! @tableofcontents
 //!
