@@ -142,12 +142,12 @@ void searches(const Parameters& p, report::Chapter& chapter, report::Checks& che
 //! where they lie themselves, and of new strings in the whole box hardly one is better. What it has found by then is what
 //! it ends with, and that depends on the seed. Going on costs evaluations and gains nothing, which the last column says.
 //!
-//! Rescaled, it goes on improving, slowly, along the valley. Polished, it needs one string in the right valley and is at
-//! the bottom in a few dozen evaluations, those of its differences counted. That is so because this cost is smooth, has
-//! residuals, and few minima within the time chosen. On Rastrigin's function, which has thousands, neither mating nor
-//! polishing finds the lowest alone, and both together do (@ref verify_ch05_evaluations_per_success); on Rosenbrock's
-//! single valley polished random strings are faster than any genetic algorithm, and the same table says so. Other
-//! optimizers are often compared by the cost alone: residuals tell more than that, and a comparison with a method that
+//! Rescaled, it goes on improving, slowly, along the valley. Polished, it needs one string in the right valley, and is at
+//! the bottom after a generation or two, the evaluations of its differences counted. That is so because this cost is
+//! smooth, has residuals, and few minima within the time chosen. On Rastrigin's function, which has thousands, neither
+//! mating nor polishing finds the lowest alone in a time like that of both together
+//! (@ref verify_ch05_evaluations_per_success); in Rosenbrock's single valley polished random strings win, and the same
+//! table says so. Other optimizers are often compared by the cost alone: residuals tell more than that, and a comparison with a method that
 //! does not see them is none of algorithms.
 //!
 //! @section ch05_search_exercises Exercises
