@@ -1,12 +1,12 @@
 //! @page ch05_errors Chapter 5: What was found, and how surely
-//! @brief A near field from noisy histories, with error bars, the direction that nothing tells of, and a test on a new start.
+//! @brief A near field from noisy histories, its error bars, what nothing tells of, and a test on a new start.
 //! @tableofcontents
 //!
 //! @section ch05_errors_question A good fit is not yet knowledge
 //!
 //! A search ends with one string of low cost. Are there others, far from it, of a cost that is as low? Then the fit
-//! foretells, and its parameters mean nothing. The monograph does not ask; it is the question of everyone who wants to use
-//! the numbers.
+//! foretells, and its parameters mean nothing. The monograph does not ask; it is the question of everyone who wants to
+//! use the numbers.
 //!
 //! @figure{ch05_profiles, By how much the sum of squares rises\, in standard deviations squared\, if one number is held off its best value and all others are fitted anew. Line: 95 per cent.}
 //!
@@ -19,10 +19,10 @@
 //! \f[ \mathrm{cov} = \sum_i \frac{v_i v_i^T}{s_i^2} : \f]
 //!
 //! along \f$ v_i \f$ the parameters are known to within \f$ 1/s_i \f$. That holds where the model is linear within the
-//! noise. A *profile* @cite raue2009 does without: it holds one parameter, fits all others anew, and looks how much worse
-//! the best fit becomes.
+//! noise. A *profile* @cite raue2009 does without: it holds one parameter, fits all others anew, and looks how much
+//! worse the best fit becomes.
 //!
-//! A near field can be described otherwise, by the distance \f$ d_e \f$ at which it balances and by how stiff it is there,
+//! A near field can be described otherwise, by the distance \f$ d_e \f$ at which it balances and how stiff it is there,
 //! \f$ V''(d_e) \f$ (particulate::identification::NearFieldShape):
 //!
 //! \f[ d_e = \left(\frac{\alpha_2}{\alpha_1}\right)^{1/(\beta_2 - \beta_1)}, \qquad
@@ -83,8 +83,8 @@ Eigen::VectorXd fit(const Residuals& residuals, const Box& box, const Eigen::Vec
 }
 
 //! The search ends when the cost is no larger than the noise. Then we polish once more, each difference in units of its
-//! standard deviation. The sum of their squares is a chi-square, if the model is right and the minimum found: of as many
-//! degrees of freedom as there are data, less four.
+//! standard deviation. The sum of their squares is a chi-square, if the model is right and the minimum found: of as
+//! many degrees of freedom as there are data, less four.
 
 struct Identified {
   Eigen::VectorXd first, searched, string;  // the best of the first strings, of the search, and polished
@@ -162,8 +162,8 @@ void add_profile(report::Table& profiles, report::Table& intervals, const char* 
   intervals.add({name, std::exp(best), std::exp(found.lower), std::exp(found.upper), found.evaluations});
 }
 
-//! The last test is the one that counts: a start that was not measured. Its history is computed with the true near field
-//! and with the one that was found.
+//! The last test is the one that counts: a start that was not measured. Its history is computed with the true near
+//! field and with the one that was found.
 
 double foretell(const Parameters& p, const Measured& measured, const Identified& found, const report::Output& output) {
   Clouds next = measured.clouds;
@@ -262,16 +262,16 @@ void identify(const Parameters& p, report::Chapter& chapter, report::Checks& che
 //!
 //! @table{ch05_costs}
 //!
-//! Two measures stand side by side, because two methods made them small: the algorithm the cost, with its absolute values,
-//! polishing a sum of squares. The true string has neither the lowest cost nor the lowest sum of squares: the fit adapts to
-//! the noise as well, by four parameters' worth, which is what the last two columns compare.
+//! Two measures stand side by side, because two methods made them small: the algorithm the cost, with its absolute
+//! values, polishing a sum of squares. The true string has neither the lowest cost nor the lowest sum of squares: the
+//! fit adapts to the noise as well, by four parameters' worth, which is what the last two columns compare.
 //!
 //! @section ch05_errors_numbers How sure each number is
 //!
 //! @table{ch05_numbers}
 //!
-//! The same data, the same fit; but the strength of attraction is hardly known, while the distance of balance is known far
-//! better than any single value was measured. That is no contradiction. Singular values and directions of both
+//! The same data, the same fit; but the strength of attraction is hardly known, while the distance of balance is known
+//! far better than any single value was measured. That is no contradiction. Singular values and directions of both
 //! descriptions, strengths first:
 //!
 //! @table{ch05_directions}
@@ -279,24 +279,24 @@ void identify(const Parameters& p, report::Chapter& chapter, report::Checks& che
 //! @table{ch05_directions_of_shape}
 //!
 //! Along the last line all four parameters of the first description move together, and the histories hardly do. It is a
-//! valley again, in four dimensions: along it balance and stiffness remain. In the second description the two that are seen
-//! have lines of their own, and the last is little but the difference of the exponents. So a fit can say *where* the near field
-//! balances and *how firmly*, and must not be asked for \f$ \alpha_1 \f$. If the exponents are known beforehand, both
-//! strengths are found to within a per cent (@ref verify_ch05_recovery_given_exponents).
+//! valley again, in four dimensions: along it balance and stiffness remain. In the second description the two that are
+//! seen have lines of their own, and the last is little but the difference of the exponents. So a fit can say *where*
+//! the near field balances and *how firmly*, and must not be asked for \f$ \alpha_1 \f$. If the exponents are known
+//! beforehand, both strengths are found to within a per cent (@ref verify_ch05_recovery_given_exponents).
 //!
 //! @table{ch05_intervals}
 //!
-//! Profiles confirm the error bars without their linearity: the intervals of 95 per cent. That of \f$ \alpha_1 \f$ reaches
-//! farther up than down, which no covariance can say. How error bars compare with the scatter of fits to other noise is
-//! verified in @ref verify_ch05_recovery_cloud, and that a profile without an end is reported as such in
+//! Profiles confirm the error bars without their linearity: the intervals of 95 per cent. That of \f$ \alpha_1 \f$
+//! reaches farther up than down, which no covariance can say. How error bars compare with the scatter of fits to other
+//! noise is verified in @ref verify_ch05_recovery_cloud, and that a profile without an end is reported as such in
 //! @ref verify_ch05_profile_without_end.
 //!
 //! @section ch05_errors_foretells Does it foretell?
 //!
 //! The figure at @ref ch05_identification "the top of the chapter" shows a start that the fit has not seen. Though
 //! \f$ \alpha_1 \f$ is not the true one, the history is: what the data do not tell of the parameters, they do not need
-//! either, as long as one asks for the same kind of motion. Closer encounters, with contacts or for a longer time, would
-//! see more of the near field, and there the fit promises nothing.
+//! either, as long as one asks for the same kind of motion. Closer encounters, with contacts or for a longer time,
+//! would see more of the near field, and there the fit promises nothing.
 //!
 //! @section ch05_errors_exercises Exercises
 //!
