@@ -1,12 +1,12 @@
 //! @page ch05_errors Chapter 5: What was found, and how surely
-//! @brief A near field from noisy histories, with error bars, the direction that nothing tells of, and a test on a new start.
+//! @brief A near field from noisy histories, its error bars, what nothing tells of, and a test on a new start.
 //! @tableofcontents
 //!
 //! @section ch05_errors_question A good fit is not yet knowledge
 //!
 //! A search ends with one string of low cost. Are there others, far from it, of a cost that is as low? Then the fit
-//! foretells, and its parameters mean nothing. The monograph does not ask; it is the question of everyone who wants to use
-//! the numbers.
+//! foretells, and its parameters mean nothing. The monograph does not ask; it is the question of everyone who wants to
+//! use the numbers.
 //!
 //! @figure{ch05_profiles, By how much the sum of squares rises\, in standard deviations squared\, if one number is held off its best value and all others are fitted anew. Line: 95 per cent.}
 //!
@@ -19,10 +19,10 @@
 //! \f[ \mathrm{cov} = \sum_i \frac{v_i v_i^T}{s_i^2} : \f]
 //!
 //! along \f$ v_i \f$ the parameters are known to within \f$ 1/s_i \f$. That holds where the model is linear within the
-//! noise. A *profile* @cite raue2009 does without: it holds one parameter, fits all others anew, and looks how much worse
-//! the best fit becomes.
+//! noise. A *profile* @cite raue2009 does without: it holds one parameter, fits all others anew, and looks how much
+//! worse the best fit becomes.
 //!
-//! A near field can be described otherwise, by the distance \f$ d_e \f$ at which it balances and by how stiff it is there,
+//! A near field can be described otherwise, by the distance \f$ d_e \f$ at which it balances and how stiff it is there,
 //! \f$ V''(d_e) \f$ (particulate::identification::NearFieldShape):
 //!
 //! \f[ d_e = \left(\frac{\alpha_2}{\alpha_1}\right)^{1/(\beta_2 - \beta_1)}, \qquad
@@ -83,8 +83,8 @@ Eigen::VectorXd fit(const Residuals& residuals, const Box& box, const Eigen::Vec
 }
 
 //! The search ends when the cost is no larger than the noise. Then we polish once more, each difference in units of its
-//! standard deviation. The sum of their squares is a chi-square, if the model is right and the minimum found: of as many
-//! degrees of freedom as there are data, less four.
+//! standard deviation. The sum of their squares is a chi-square, if the model is right and the minimum found: of as
+//! many degrees of freedom as there are data, less four.
 
 struct Identified {
   Eigen::VectorXd first, searched, string;  // the best of the first strings, of the search, and polished
@@ -162,8 +162,8 @@ void add_profile(report::Table& profiles, report::Table& intervals, const char* 
   intervals.add({name, std::exp(best), std::exp(found.lower), std::exp(found.upper), found.evaluations});
 }
 
-//! The last test is the one that counts: a start that was not measured. Its history is computed with the true near field
-//! and with the one that was found.
+//! The last test is the one that counts: a start that was not measured. Its history is computed with the true near
+//! field and with the one that was found.
 
 double foretell(const Parameters& p, const Measured& measured, const Identified& found, const report::Output& output) {
   Clouds next = measured.clouds;
@@ -182,61 +182,77 @@ double foretell(const Parameters& p, const Measured& measured, const Identified&
   return exact_cost(p, next)(found.string).cost;
 }
 
+//! Each of the tables is a question to the same fit.
+
+void write_costs(const Parameters& p, const Measured& measured, const Identified& found, const report::Output& output) {
+  const Residuals residuals = deviations(measured);
+  report::Table costs({"string", "cost [-]", "sum of squares [-]", "chi-square [-]", "data less parameters"});
+  const auto add = [&](const char* name, const Eigen::VectorXd& string) {
+    costs.add({name, measured.cost(string).cost, measured.cost.residuals(string).squaredNorm(),
+               residuals(string).squaredNorm(), measured.deviation.size() - 4});
+  };
+  add("best of the first strings", found.first);
+  add("of the search", found.searched);
+  add("polished", found.string);
+  add("true", truth_of(p));
+  output.write("costs", costs);
+}
+
+struct Bars {
+  Uncertainty strengths, shape;
+};
+
+Bars write_numbers(const Parameters& p, const Measured& measured, const Eigen::VectorXd& found,
+                   const report::Output& output) {
+  const Eigen::MatrixXd J =
+      sensitivities(sampled(measured), found, {.step = 1e-4, .size = Eigen::Vector4d::Ones()}).jacobian;
+  const Eigen::MatrixXd by_shape = to_other_parameters(J, derivative_of_log_shape(law_of(found)));
+  const Bars bars{uncertainty(J, measured.deviation), uncertainty(by_shape, measured.deviation)};
+  report::Table numbers({"parameter", "true", "found", "error bar", "error bar over found", "off over error bar"});
+  add_numbers(numbers, of_strengths, 0, truth_of(p), found, bars.strengths);
+  add_numbers(numbers, of_strengths, 2, truth_of(p), found, bars.strengths);
+  add_numbers(numbers, of_shape, 0, shape_of_string(truth_of(p)), shape_of_string(found), bars.shape);
+  output.write("numbers", numbers);
+  output.write("directions", directions_of(of_strengths, bars.strengths));
+  output.write("directions_of_shape", directions_of(of_shape, bars.shape));
+  return bars;
+}
+
+void write_profiles(const Residuals& residuals, const Eigen::VectorXd& found, const Bars& bars,
+                    const report::Output& output) {
+  const Residuals by_shape = [&](const Eigen::VectorXd& shape) { return residuals(string_of_shape(shape)); };
+  const Eigen::Vector4d shape = shape_of_string(found);
+  const double least = residuals(found).squaredNorm();
+  report::Table profiles({"parameter", "held at, over the best [-]", "rise of chi-square"});
+  report::Table intervals({"parameter", "best", "lower end", "upper end", "evaluations"});
+  add_profile(profiles, intervals, "alpha1", profile_of(residuals, found, bars.strengths.deviation[0]), found[0],
+              least);
+  add_profile(profiles, intervals, "d_e", profile_of(by_shape, shape, bars.shape.deviation[0]), shape[0], least);
+  output.write("profiles", profiles);
+  output.write("intervals", intervals);
+}
+
 }  // namespace
 
 void identify(const Parameters& p, report::Chapter& chapter, report::Checks& checks) {
   const Measured measured = measure(p, chapter.common());
   const Identified found = find(p, measured, chapter.common().seed);
-  const Eigen::Vector4d truth = truth_of(p), shape = shape_of_string(found.string);
   const Residuals residuals = deviations(measured);
-  const double least = residuals(found.string).squaredNorm();
-
-  report::Table costs({"string", "cost [-]", "sum of squares [-]", "chi-square [-]", "data less parameters"});
-  const auto add_cost = [&](const char* name, const Eigen::VectorXd& string) {
-    costs.add({name, measured.cost(string).cost, measured.cost.residuals(string).squaredNorm(),
-               residuals(string).squaredNorm(), measured.deviation.size() - 4});
-  };
-  add_cost("best of the first strings", found.first);
-  add_cost("of the search", found.searched);
-  add_cost("polished", found.string);
-  add_cost("true", truth);
-
-  const Eigen::MatrixXd J =
-      sensitivities(sampled(measured), found.string, {.step = 1e-4, .size = Eigen::Vector4d::Ones()}).jacobian;
-  const Uncertainty strengths = uncertainty(J, measured.deviation);
-  const Uncertainty seen =
-      uncertainty(to_other_parameters(J, derivative_of_log_shape(law_of(found.string))), measured.deviation);
-  report::Table numbers({"parameter", "true", "found", "error bar", "error bar over found", "off over error bar"});
-  add_numbers(numbers, of_strengths, 0, truth, found.string, strengths);
-  add_numbers(numbers, of_strengths, 2, truth, found.string, strengths);
-  add_numbers(numbers, of_shape, 0, shape_of_string(truth), shape, seen);
-
-  report::Table profiles({"parameter", "held at, over the best [-]", "rise of chi-square"});
-  report::Table intervals({"parameter", "best", "lower end", "upper end", "evaluations"});
-  add_profile(profiles, intervals, "alpha1", profile_of(residuals, found.string, strengths.deviation[0]),
-              found.string[0], least);
-  const Residuals by_shape = [&](const Eigen::VectorXd& q) { return residuals(string_of_shape(q)); };
-  add_profile(profiles, intervals, "d_e", profile_of(by_shape, shape, seen.deviation[0]), shape[0], least);
-
+  write_costs(p, measured, found, chapter.output());
+  const Bars bars = write_numbers(p, measured, found.string, chapter.output());
+  write_profiles(residuals, found.string, bars, chapter.output());
   const double foretold = foretell(p, measured, found, chapter.output());
-  const report::Output& output = chapter.output();
-  output.write("costs", costs);
-  output.write("numbers", numbers);
-  output.write("directions", directions_of(of_strengths, strengths));
-  output.write("directions_of_shape", directions_of(of_shape, seen));
-  output.write("profiles", profiles);
-  output.write("intervals", intervals);
 
   const double freedom = static_cast<double>(measured.deviation.size() - 4);
-  checks.add("chi-square of the fit over its mean, less one", least / freedom - 1.0, 4.0 * std::sqrt(2.0 / freedom));
-  const Eigen::ArrayXd off = (shape - shape_of_string(truth)).array() / seen.deviation.array();
-  checks.add("d_e, off the truth, in error bars", off[0], 4.0);
-  checks.add("V''(d_e), off the truth, in error bars", off[1], 4.0);
+  checks.add("chi-square of the fit over its mean, less one", residuals(found.string).squaredNorm() / freedom - 1.0,
+             4.0 * std::sqrt(2.0 / freedom));
+  const Eigen::Vector4d off = shape_of_string(found.string) - shape_of_string(truth_of(p));
+  checks.add("d_e, off the truth, in error bars", off[0] / bars.shape.deviation[0], 4.0);
+  checks.add("V''(d_e), off the truth, in error bars", off[1] / bars.shape.deviation[1], 4.0);
   checks.add("cost on a start that the fit has not seen, over the noise", foretold / p.noise, 1.0);
-  chapter.summary().add({"cost, of the search", measured.cost(found.searched).cost});
   chapter.summary().add({"evaluations of the search", static_cast<double>(found.found.population.evaluations)});
-  chapter.summary().add({"error bar of alpha1 over it", strengths.deviation[0]});
-  chapter.summary().add({"error bar of d_e over it", seen.deviation[0]});
+  chapter.summary().add({"error bar of alpha1 over it", bars.strengths.deviation[0]});
+  chapter.summary().add({"error bar of d_e over it", bars.shape.deviation[0]});
   chapter.summary().add({"cost on the unseen start", foretold});
 }
 
@@ -246,16 +262,16 @@ void identify(const Parameters& p, report::Chapter& chapter, report::Checks& che
 //!
 //! @table{ch05_costs}
 //!
-//! Two measures stand side by side, because two methods made them small: the algorithm the cost, with its absolute values,
-//! polishing a sum of squares. The true string has neither the lowest cost nor the lowest sum of squares: the fit adapts to
-//! the noise as well, by four parameters' worth, which is what the last two columns compare.
+//! Two measures stand side by side, because two methods made them small: the algorithm the cost, with its absolute
+//! values, polishing a sum of squares. The true string has neither the lowest cost nor the lowest sum of squares: the
+//! fit adapts to the noise as well, by four parameters' worth, which is what the last two columns compare.
 //!
 //! @section ch05_errors_numbers How sure each number is
 //!
 //! @table{ch05_numbers}
 //!
-//! The same data, the same fit; but the strength of attraction is hardly known, while the distance of balance is known far
-//! better than any single value was measured. That is no contradiction. Singular values and directions of both
+//! The same data, the same fit; but the strength of attraction is hardly known, while the distance of balance is known
+//! far better than any single value was measured. That is no contradiction. Singular values and directions of both
 //! descriptions, strengths first:
 //!
 //! @table{ch05_directions}
@@ -263,27 +279,27 @@ void identify(const Parameters& p, report::Chapter& chapter, report::Checks& che
 //! @table{ch05_directions_of_shape}
 //!
 //! Along the last line all four parameters of the first description move together, and the histories hardly do. It is a
-//! valley again, in four dimensions: along it balance and stiffness remain. In the second description the two that are seen
-//! have entries of their own, and what is unseen is left to the exponents. So a fit can say *where* the near field
-//! balances and *how firmly*, and must not be asked for $ lpha_1 $. If the exponents are known beforehand, both
-//! strengths are found to within a per cent (@ref verify_ch05_recovery_given_exponents).
+//! valley again, in four dimensions: along it balance and stiffness remain. In the second description the two that are
+//! seen have lines of their own, and the last is little but the difference of the exponents. So a fit can say *where*
+//! the near field balances and *how firmly*, and must not be asked for \f$ \alpha_1 \f$. If the exponents are known
+//! beforehand, both strengths are found to within a per cent (@ref verify_ch05_recovery_given_exponents).
 //!
 //! @table{ch05_intervals}
 //!
-//! Profiles confirm the error bars without their linearity: the intervals of 95 per cent. That of $ lpha_1 $ reaches
-//! farther up than down, which no covariance can say. How error bars compare with the scatter of fits to other noise is
-//! verified in @ref verify_ch05_recovery_cloud, and that a profile without an end is reported as such in
+//! Profiles confirm the error bars without their linearity: the intervals of 95 per cent. That of \f$ \alpha_1 \f$
+//! reaches farther up than down, which no covariance can say. How error bars compare with the scatter of fits to other
+//! noise is verified in @ref verify_ch05_recovery_cloud, and that a profile without an end is reported as such in
 //! @ref verify_ch05_profile_without_end.
 //!
 //! @section ch05_errors_foretells Does it foretell?
 //!
 //! The figure at @ref ch05_identification "the top of the chapter" shows a start that the fit has not seen. Though
-//! $ lpha_1 $ is not the true one, the history is: what the data do not tell of the parameters, they do not need
-//! either, as long as one asks for the same kind of motion. Closer encounters, with contacts or for a longer time, would
-//! see more of the near field, and there the fit promises nothing.
+//! \f$ \alpha_1 \f$ is not the true one, the history is: what the data do not tell of the parameters, they do not need
+//! either, as long as one asks for the same kind of motion. Closer encounters, with contacts or for a longer time,
+//! would see more of the near field, and there the fit promises nothing.
 //!
 //! @section ch05_errors_exercises Exercises
 //!
 //! 1. By which factor do the error bars fall if the noise is halved? If there are four times as many starts?
-//! 2. Show that $ lpha_1 = V''(d_e)\, d_e^{eta_1+1}/(eta_2 - eta_1) $. Which of the three makes it unsure?
+//! 2. Show that \f$ \alpha_1 = V''(d_e)\, d_e^{\beta_1+1}/(\beta_2 - \beta_1) \f$. Which of the three makes it unsure?
 //! 3. Which start would tell more of the exponents: a denser cloud or a dilute one?

@@ -1,12 +1,12 @@
-//! @page ch05_identification Chapter 5: Inverse problems and the genetic algorithm
+//! @page ch05_identification Chapter 5: Inverse problems
 //! @brief Which near field makes a cloud move as it was seen to move, how one finds it, and how sure one may be.
 //! @tableofcontents
 //!
 //! @section ch05_question The question, backwards
 //!
-//! Chapter 4 of the monograph @cite zohdi2007 computes a motion from a near field. Chapter 5 turns that round: the motion
-//! was seen, and the near field is wanted. Since nobody can solve for it, one guesses, simulates, and calls it a *cost*
-//! how far the guess was off; what remains is to make the cost small.
+//! Chapter 4 of the monograph @cite zohdi2007 computes a motion from a near field. Chapter 5 turns that round: the
+//! motion was seen, and the near field is wanted. Since nobody can solve for it, one guesses, simulates, and calls it a
+//! *cost* how far the guess was off; what remains is to make the cost small.
 //!
 //! @figure{ch05_history, Relative energy of a cloud that no fit has seen: what it does\, what it does by the near field that was found\, and by the best of the first strings: Figure 5.3.}
 //!
@@ -33,9 +33,10 @@
 //! own text of it was not at hand, so cost, bounds and numbers are ours, and the algorithm follows what its author has
 //! published elsewhere (@ref provenance "mark R 5.1").
 //!
-//! As history we take the kinetic energy per mass *about the centre of the cloud*. The monograph's other energy, that of
-//! the bulk, would be no target at all: nothing in the cloud can change it, so every near field repeats it. A library that
-//! took it would give back some near field, with a cost of zero; ours refuses, and the run that made these pages was told
+//! As history we take the kinetic energy per mass *about the centre of the cloud*. The monograph's other energy, that
+//! of the bulk, would be no target at all: nothing in the cloud can change it, so every near field repeats it. A
+//! library that took it would give back some near field, with a cost of zero; ours refuses, and the run that made these
+//! pages was told
 //!
 //! @table{ch05_refusal}
 //!

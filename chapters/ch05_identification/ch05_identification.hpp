@@ -4,8 +4,8 @@
 //!
 //! @section ch05_parameters Parameters
 //!
-//! Values marked 4.1 are believed to be those of the monograph's simulations. Of this chapter's own numbers none were at
-//! hand: S and K are those of the algorithm as its author has published it elsewhere, all others are our choice.
+//! Values marked 4.1 are believed to be those of the monograph's simulations. Of this chapter's own numbers none were
+//! at hand: S and K are those of the algorithm as its author has published it elsewhere, all others are our choice.
 
 #pragma once
 
@@ -60,8 +60,8 @@ GeneticAlgorithm algorithm_of(const Parameters& p);
 
 //! @section ch05_strings Strings
 //!
-//! A set of parameters is a *string*, \f$ \Lambda = (\ln\alpha_1, \ln\alpha_2, \beta_1, \beta_2) \f$: strengths by their
-//! logarithms, since of them one knows the order of magnitude, if anything.
+//! A set of parameters is a *string*, \f$ \Lambda = (\ln\alpha_1, \ln\alpha_2, \beta_1, \beta_2) \f$: strengths by
+//! their logarithms, since of them one knows the order of magnitude, if anything.
 
 Eigen::VectorXd truth_of(const Parameters& p);
 kinematics::CentralForce law_of(const Eigen::VectorXd& string);
@@ -70,8 +70,8 @@ Box box_of_search();
 //! @section ch05_clouds Measured clouds
 //!
 //! What stands for a measurement is computed with strengths and exponents that we know: whatever is not found again is
-//! then the fault of the search, or of what was measured. The seeds of the clouds follow each other, so that the next one
-//! is a start that no fit has seen.
+//! then the fault of the search, or of what was measured. The seeds of the clouds follow each other, so that the next
+//! one is a start that no fit has seen.
 
 struct Clouds {
   int particles, starts;

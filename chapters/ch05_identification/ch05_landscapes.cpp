@@ -4,8 +4,8 @@
 //!
 //! @section ch05_landscapes_question Two of four parameters
 //!
-//! A cost of four parameters cannot be drawn. Let the exponents be known: then it is a landscape over both strengths, and
-//! its lowest place, of height zero, is where we took the target from.
+//! A cost of four parameters cannot be drawn. Let the exponents be known: then it is a landscape over both strengths,
+//! and its lowest place, of height zero, is where we took the target from.
 //!
 //! @figure{ch05_landscape, Cost over the strengths\, each over the true one\, of a short motion (left) and a longer one (right). Circles: minima. Grey: no value\, the run would take too many steps. Figure 5.1.}
 //!
@@ -46,8 +46,8 @@ Map map_of(const Cost& cost, int points) {
 }
 
 //! A narrow valley that crosses the points of a map aslant looks like a chain of minima. From each of them we therefore
-//! go on downhill by particulate::identification::polish; ends that lie within two per cent are one. It minimizes the sum
-//! of squares and not the cost, but a place where all differences are small is low in both.
+//! go on downhill by particulate::identification::polish; ends that lie within two per cent are one. It minimizes the
+//! sum of squares and not the cost, but a place where all differences are small is low in both.
 
 struct Minimum {
   Eigen::VectorXd at;  // ln(alpha/true)
@@ -112,11 +112,12 @@ void landscapes(const Parameters& p, report::Chapter& chapter, report::Checks& c
 //! @table{ch05_minima_counted}
 //!
 //! In a short time the spheres move as they are pushed at the start. Along the valley attraction and repulsion grow
-//! together, so that they balance at nearly the same distance: whoever knows where the valley is knows little yet of where
-//! in it the truth lies. In a longer time spheres swing, and what swings with another period is alike now and then: so
-//! there are minima in which nothing is right, and a search that only goes downhill ends in whichever is near.
+//! together, so that they balance at nearly the same distance: whoever knows where the valley is knows little yet of
+//! where in it the truth lies. In a longer time spheres swing, and what swings with another period is alike now and
+//! then: so there are minima in which nothing is right, and a search that only goes downhill ends in whichever is near.
 //! Where strong attraction lets spheres collapse there is no value at all. And if the lowest cost in the table is not
-//! zero, the map has missed the one minimum that is right: its valley has become so narrow that it runs between the points.
+//! zero, the map has missed the one minimum that is right: its valley has become so narrow that it runs between the
+//! points.
 //!
 //! That it is so for other clouds, and how deep the valleys are, is verified in @ref verify_ch05_landscape. We take the
 //! shorter time from here on. It makes the search easier, and does not make the answer worse.

@@ -34,8 +34,8 @@ namespace {
 
 //! Beside the plain algorithm stand two that the monograph allows for. *Rescaled*, it draws new strings near the best
 //! parents only, and when it stands still for long it puts its best string aside and begins anew. *Polished*, it hands
-//! the best string of each generation to the method of Levenberg and Marquardt @cite more1978, and what comes back takes
-//! that string's place among the parents.
+//! the best string of each generation to the method of Levenberg and Marquardt @cite more1978, and what comes back
+//! takes that string's place among the parents.
 
 struct Variant {
   const char* name;
@@ -139,16 +139,17 @@ void searches(const Parameters& p, report::Chapter& chapter, report::Checks& che
 //! @table{ch05_searches}
 //!
 //! Ten generations take the plain algorithm a good way down. Then its parents have become alike: all their children lie
-//! where they lie themselves, and of new strings in the whole box hardly one is better. What it has found by then is what
-//! it ends with, and that depends on the seed. Going on costs evaluations and gains nothing, which the last column says.
+//! where they lie themselves, and of new strings in the whole box hardly one is better. What it has found by then is
+//! what it ends with, and that depends on the seed. Going on costs evaluations and gains nothing, which the last column
+//! says.
 //!
-//! Rescaled, it goes on improving, slowly, along the valley. Polished, it needs one string in the right valley and is at
-//! the bottom in a few dozen evaluations, those of its differences counted. That is so because this cost is smooth, has
-//! residuals, and few minima within the time chosen. On Rastrigin's function, which has thousands, neither mating nor
-//! polishing finds the lowest alone, and both together do (@ref verify_ch05_evaluations_per_success); on Rosenbrock's
-//! single valley polished random strings are faster than any genetic algorithm, and the same table says so. Other
-//! optimizers are often compared by the cost alone: residuals tell more than that, and a comparison with a method that
-//! does not see them is none of algorithms.
+//! Rescaled, it goes on improving, slowly, along the valley. Polished, it needs one string in the right valley, and is
+//! at the bottom after a generation or two, the evaluations of its differences counted. That is so because this cost is
+//! smooth, has residuals, and few minima within the time chosen. On Rastrigin's function, which has thousands, neither
+//! mating nor polishing finds the lowest alone in a time like that of both together
+//! (@ref verify_ch05_evaluations_per_success); in Rosenbrock's single valley polished random strings win, and the same table
+//! says so. Other optimizers are often compared by the cost alone: residuals tell more than that, and a comparison with
+//! a method that does not see them is none of algorithms.
 //!
 //! @section ch05_search_exercises Exercises
 //!

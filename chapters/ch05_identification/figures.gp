@@ -58,7 +58,7 @@ set terminal svg size 640,680 dynamic enhanced font 'sans-serif,16' background '
 variant(k) = word('plain rescaled polished', k)
 with(k, c) = strcol(1) eq variant(k) ? column(c) : NaN
 set multiplot layout 2,1
-set lmargin 9
+set lmargin 11
 set ylabel 'cost'
 set logscale y
 set format y '%g'

@@ -10,6 +10,7 @@ namespace particulate::identification {
 
 /// The numbers of a search that polishes as it goes. The defaults need few evaluations on functions of many minima.
 struct Search {
+  /// What finds strings to polish: it rescales, and restarts after a short time without progress.
   GeneticAlgorithm algorithm = {
       .S = 40, .K = 10, .rescaling = 1.5, .restart = Stagnation{.generations = 5, .size = 0.01}};
   /// Coarse, since most of what it polishes will be surpassed: polish() the best at the end where more is wanted.
