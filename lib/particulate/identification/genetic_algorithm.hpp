@@ -87,7 +87,8 @@ void validate(const Stops& stops, const GeneticAlgorithm& algorithm);
 ///
 /// @equation{R 5.1} \f$ \Phi_k \f$ is drawn anew for every component and child, so a child lies anywhere in the box
 /// that its parents span, and never outside, roundings included.
-/// @param a, b     parents, of one size
+/// @param a        a parent
+/// @param b        the other, of its size
 /// @param uniform  draws a number in [0, 1), one a component
 /// @return the child
 Eigen::VectorXd mated(const Eigen::VectorXd& a, const Eigen::VectorXd& b, const std::function<double()>& uniform);
