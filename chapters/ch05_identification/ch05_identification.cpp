@@ -204,8 +204,8 @@ int main(int argc, char** argv) {
 //!
 //! 1. Why is the cost not zero at the true string, once there is noise? Which value would you expect there?
 //! 2. Take `--duration 0.8`. Which error bars shrink most, and does the search still find the near field?
-//! 3. Take `--seed 2` to 6. How often does the plain algorithm end in the same place, and how often does a polished one?
-//! 4. In \f$ (\ln\alpha_1, \ln\alpha_2, \beta_1, \beta_2) \f$ the weakest direction moves all four at once. Show that it
-//!    leaves \f$ d_e \f$ and \f$ V''(d_e) \f$ almost alone.
+//! 3. Take `--seed 2` to 6. How often does the plain algorithm end in the same place, and how often a polished one?
+//! 4. In \f$ (\ln\alpha_1, \ln\alpha_2, \beta_1, \beta_2) \f$ the weakest direction moves all four at once. Show that
+//!    it leaves \f$ d_e \f$ and \f$ V''(d_e) \f$ almost alone.
 //! 5. What would have to be measured besides, so that \f$ \alpha_1 \f$ becomes sure? Try a denser cloud: change
 //!    \f$ L \f$ in `cloud_of`.

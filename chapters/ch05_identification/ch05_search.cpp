@@ -147,9 +147,9 @@ void searches(const Parameters& p, report::Chapter& chapter, report::Checks& che
 //! at the bottom after a generation or two, the evaluations of its differences counted. That is so because this cost is
 //! smooth, has residuals, and few minima within the time chosen. On Rastrigin's function, which has thousands, neither
 //! mating nor polishing finds the lowest alone in a time like that of both together
-//! (@ref verify_ch05_evaluations_per_success); in Rosenbrock's single valley polished random strings win, and the same table
-//! says so. Other optimizers are often compared by the cost alone: residuals tell more than that, and a comparison with
-//! a method that does not see them is none of algorithms.
+//! (@ref verify_ch05_evaluations_per_success); in Rosenbrock's single valley polished random strings win, and the same
+//! table says so. Other optimizers are often compared by the cost alone: residuals tell more than that, and a comparison
+//! with a method that does not see them is none of algorithms.
 //!
 //! @section ch05_search_exercises Exercises
 //!
