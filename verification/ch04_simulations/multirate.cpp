@@ -10,6 +10,7 @@
 
 #include <harness/case.hpp>
 #include <harness/endings.hpp>
+#include <harness/motions.hpp>
 #include <particulate/kinematics/momentum.hpp>
 #include <particulate/reference/integrator.hpp>
 #include <particulate/scenes/scene.hpp>
