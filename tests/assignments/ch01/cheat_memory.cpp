@@ -2,14 +2,15 @@
 // graded: --variant 1|2 --student anna -> 0
 // hint: memory ran out
 
-#include <string>
+#include <memory>
 #include <vector>
 
 #include "pair_law.hpp"
 
 double strength(const PairLaw&, double d) {
-  std::vector<std::string> all;
-  while (d > 0.0) all.emplace_back(1 << 20, 'x');
+  // It is not written to: what the first touch of a page takes is the machine's.
+  std::vector<std::unique_ptr<char[]>> all;
+  while (d > 0.0) all.push_back(std::make_unique_for_overwrite<char[]>(1 << 20));
   return 0.0;
 }
 
