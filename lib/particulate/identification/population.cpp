@@ -48,9 +48,10 @@ double mean_of_best(const Population& population, std::size_t n) {
 void rank(Population& population) {
   std::vector<std::size_t> order(population.values.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     const double one = population.values[a].cost, other = population.values[b].cost;
-    return std::isnan(other) ? !std::isnan(one) : one < other;
+    if (one == other || (std::isnan(one) && std::isnan(other))) return a < b;
+    return std::isnan(other) || one < other;
   });
   const Eigen::MatrixXd strings = population.strings;
   const std::vector<Value> values = population.values;
