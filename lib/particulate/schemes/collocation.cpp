@@ -56,6 +56,11 @@ void collocation_at(const CollocationTable& table, const Eigen::MatrixXd& rates,
   if (m > 0) add_weighted(once.data(), dt, rates.bottomRows(m), there.y);
 }
 
+double unresolved(const CollocationTable& table, int order, double dt, double change, double rate) {
+  const double power = static_cast<double>(order) / static_cast<double>(std::max<Eigen::Index>(table.stages() - 1, 1));
+  return rate == 0.0 ? 0.0 : dt * rate * std::pow(change / rate, power);
+}
+
 AnyCollocation::AnyCollocation(const CollocationTable& table, int order, CollocationSettings settings,
                                StageSolver solver)
     : table_(&table),
@@ -391,11 +396,6 @@ void AnyCollocation::finish(const State& from, double dt, State& to) {
 
 // --- Its error -------------------------------------------------------------------------------------------------------
 
-// Of accelerations, as they move velocities and, over the step, positions.
-double AnyCollocation::of_motion(const Eigen::VectorXd& a, double dt) const {
-  return std::max(scales_.of_speeds(a), dt * scales_.of_places(a));
-}
-
 // The larger of what it tells of the motion and of the values.
 Truncation AnyCollocation::leading_coefficient(double dt) {
   if (n_ + m_ == 0) return {.error = 0.0, .order = order_};
@@ -406,12 +406,9 @@ Truncation AnyCollocation::leading_coefficient(double dt) {
     add_weighted(table_->top.data(), 1.0, k_, change_);
   }
   f_ = k_.cwiseAbs().rowwise().maxCoeff();
-  const double power = static_cast<double>(order_) / static_cast<double>(std::max<Eigen::Index>(S() - 1, 1));
-  const auto left = [&](double change, double rate) {
-    return rate == 0.0 ? 0.0 : dt * rate * std::pow(change / rate, power);
-  };
+  const auto left = [&](double change, double rate) { return unresolved(*table_, order_, dt, change, rate); };
   double error = 0.0;
-  if (n_ > 0) error = left(of_motion(change_.head(n_), dt), of_motion(f_.head(n_), dt));
+  if (n_ > 0) error = left(scales_.of_accelerations(change_.head(n_), dt), scales_.of_accelerations(f_.head(n_), dt));
   if (m_ > 0) {
     const double of_values = left(scales_.of_values(change_.tail(m_)), scales_.of_values(f_.tail(m_)));
     error = of_values >= error || std::isnan(of_values) ? of_values : error;

@@ -65,6 +65,17 @@ struct StageSolver {
 void collocation_at(const CollocationTable& table, const Eigen::MatrixXd& rates, const State& from, double dt,
                     double theta, State& there);
 
+/// What a step of order p leaves of rates k that a polynomial through s nodes follows: \f$ h |k|\,\eta^{p/(s-1)} \f$,
+/// see Collocation.
+///
+/// @param table   of the nodes
+/// @param order   p [-]
+/// @param dt      h, the step [s]
+/// @param change  the polynomial's leading coefficient, of the size of the state, >= 0 [1/s]
+/// @param rate    |k|, likewise [1/s]
+/// @return the error, of the size of the state [-]
+double unresolved(const CollocationTable& table, int order, double dt, double change, double rate);
+
 /// Collocation, whatever its nodes and its solver: all that Collocation does, compiled once.
 class AnyCollocation {
  public:
@@ -166,7 +177,6 @@ class AnyCollocation {
   void weigh_otherwise(double dt);
   void measure(const Problem& problem, const State& from, double dt, const State& to);
   void measure_motion(const Problem& problem, const State& from, double dt, const State& to);
-  double of_motion(const Eigen::VectorXd& a, double dt) const;
   Truncation leading_coefficient(double dt);
   Truncation defect_at_start(const Problem& problem, const State& from, double dt);
   Eigen::VectorXd filtered(const Eigen::VectorXd& defect, double dt) const;

@@ -10,6 +10,10 @@ namespace particulate::schemes {
 
 namespace {
 
+bool ask_fast(const Problem& problem, double t, const double* r, double* a, Eigen::Index n) {
+  return problem.rate_fast(Where{t, {r, n}, {nullptr, 0}, {nullptr, 0}}, Answers{{a, n}, {nullptr, 0}});
+}
+
 // The motion under the fast acceleration and the polynomial of the slow one, from 0 to dt.
 struct UnderSlow {
   const Problem& problem;
@@ -18,9 +22,7 @@ struct UnderSlow {
   double t, dt, apart;
 
   bool acceleration(double since, In r, Out a) const {
-    const Eigen::VectorXd none;
-    const Where at{t + since, {r.data(), r.size()}, {none.data(), 0}, {none.data(), 0}};
-    if (!problem.rate_fast(at, Answers{{a.data(), a.size()}, {nullptr, 0}})) return false;
+    if (!ask_fast(problem, t + since, r.data(), a.data(), r.size())) return false;
     const StageWeights l = table.basis(since / dt);
     a.noalias() += slow * l;
     return true;
@@ -81,11 +83,9 @@ Truncation AnyMultirate::truncation(const Problem& problem, const State& from, d
   scales_.look(problem, from, dt, to);
   change_.noalias() = slow_ * table_->top;
   size_ = slow_.cwiseAbs().rowwise().maxCoeff();
-  const auto of_motion = [&](const Eigen::VectorXd& a) {
-    return std::max(scales_.of_speeds(a), dt * scales_.of_places(a));
-  };
-  const double rate = of_motion(size_), power = order_ / static_cast<double>(table_->stages() - 1);
-  return {.error = rate == 0.0 ? 0.0 : dt * rate * std::pow(of_motion(change_) / rate, power), .order = order_};
+  const double error =
+      unresolved(*table_, order_, dt, scales_.of_accelerations(change_, dt), scales_.of_accelerations(size_, dt));
+  return {.error = error, .order = order_};
 }
 
 void AnyMultirate::accept(double dt) {
@@ -134,8 +134,7 @@ bool AnyMultirate::continues(const State& from) const {
 
 bool AnyMultirate::fast_at(const Problem& problem, double t, const Eigen::VectorXd& r) {
   fast_.resize(r.size());
-  return problem.rate_fast(Where{t, {r.data(), r.size()}, {nullptr, 0}, {nullptr, 0}},
-                           Answers{{fast_.data(), fast_.size()}, {nullptr, 0}});
+  return ask_fast(problem, t, r.data(), fast_.data(), r.size());
 }
 
 bool AnyMultirate::slow_at(const Problem& problem, double t, const Eigen::VectorXd& r, Eigen::Index node) {
@@ -165,13 +164,13 @@ bool AnyMultirate::guess_slow(const Problem& problem, const State& from, double 
     for (Eigen::Index j = 1; j < s; ++j) slow_.col(j) = slow_.col(0);
     return true;
   }
+  Eigen::MatrixXd ahead(s, s);  // of the old nodes in each new one
+  for (Eigen::Index i = 0; i < s; ++i) ahead.col(i) = table_->basis(1.0 + table_->c[i] * dt / old_dt_);
   slow_.setZero();
   for (Eigen::Index j = 0; j < s; ++j) {
     if (!fast_at(problem, old_t_ + table_->c[j] * old_dt_, old_places_.col(j))) return false;
     change_ = old_whole_.col(j) - fast_;
-    for (Eigen::Index i = 0; i < s; ++i) {
-      slow_.col(i) += table_->basis(1.0 + table_->c[i] * dt / old_dt_)[j] * change_;
-    }
+    slow_ += change_ * ahead.row(j);
   }
   return true;
 }

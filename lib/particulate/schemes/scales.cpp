@@ -83,6 +83,10 @@ double ErrorScales::of_places(const Eigen::VectorXd& x) const {
 
 double ErrorScales::of_speeds(const Eigen::VectorXd& x) const { return largest(x) / speed_; }
 
+double ErrorScales::of_accelerations(const Eigen::VectorXd& a, double dt) const {
+  return std::max(of_speeds(a), dt * of_places(a));
+}
+
 double ErrorScales::of_values(const Eigen::VectorXd& x) const { return largest(x.cwiseQuotient(of_y_)); }
 
 double ErrorScales::relative(const State& error) const {

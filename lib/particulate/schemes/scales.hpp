@@ -74,6 +74,12 @@ class ErrorScales {
   double of_places(const Eigen::VectorXd& x) const;
   /// @param x  errors of velocities [m/s] @return the largest, of its size [-]
   double of_speeds(const Eigen::VectorXd& x) const;
+  /// Errors of accelerations, as they move velocities and, over a step, places.
+  ///
+  /// @param a   errors of accelerations [m/s^2]
+  /// @param dt  the step [s]
+  /// @return the larger of the two; times dt it is an error of the step [1/s]
+  double of_accelerations(const Eigen::VectorXd& a, double dt) const;
   /// @param x  errors of values @return the largest, of its size [-]
   double of_values(const Eigen::VectorXd& x) const;
   /// The error of a step.
