@@ -8,8 +8,6 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <boost/random/mersenne_twister.hpp>
-#include <boost/random/uniform_01.hpp>
 
 #include <harness/case.hpp>
 #include <particulate/identification/search.hpp>
@@ -85,12 +83,10 @@ Attempt by_plain_algorithm(const TestFunction& f, long limit, std::uint64_t seed
 // Random places one after the other, each of which `take` makes the best of.
 Attempt by_random_places(const TestFunction& f, long limit, std::uint64_t seed,
                          const std::function<Attempt(const Eigen::VectorXd&, long left)>& take) {
-  boost::random::mt19937_64 engine(seed);
-  boost::random::uniform_01<double> uniform;
+  Places places(seed);
   Attempt all{.best = std::numeric_limits<double>::infinity(), .evaluations = 0};
   while (all.best > goal && all.evaluations < limit) {
-    const Eigen::ArrayXd u = Eigen::ArrayXd::NullaryExpr(f.box.lower.size(), [&] { return uniform(engine); });
-    const Attempt one = take(f.box.lower.array() + u * (f.box.upper - f.box.lower).array(), limit - all.evaluations);
+    const Attempt one = take(places.in(f.box), limit - all.evaluations);
     all.best = std::min(all.best, one.best);
     all.evaluations += one.evaluations;
   }

@@ -4,8 +4,6 @@
 #include <numbers>
 
 #include <fmt/format.h>
-#include <boost/random/mersenne_twister.hpp>
-#include <boost/random/uniform_01.hpp>
 
 #include <harness/case.hpp>
 #include <particulate/identification/polishing.hpp>
@@ -16,20 +14,6 @@
 namespace verification::polishing {
 
 using namespace particulate::identification;
-
-// Draws places in a box.
-class Places {
- public:
-  explicit Places(std::uint64_t seed) : engine_(seed) {}
-  Eigen::VectorXd in(const Box& box) {
-    const Eigen::ArrayXd u = Eigen::ArrayXd::NullaryExpr(box.lower.size(), [&] { return uniform_(engine_); });
-    return box.lower.array() + u * (box.upper - box.lower).array();
-  }
-
- private:
-  boost::random::mt19937_64 engine_;
-  boost::random::uniform_01<double> uniform_;
-};
 
 double rastrigin_as_printed(const Eigen::VectorXd& x) {
   double sum = 10.0 * static_cast<double>(x.size());

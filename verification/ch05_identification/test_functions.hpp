@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 #include <string>
 #include <vector>
+
+#include <boost/random/mersenne_twister.hpp>
+#include <boost/random/uniform_01.hpp>
 
 #include <particulate/identification/cost.hpp>
 
@@ -22,6 +26,20 @@ struct TestFunction {
   double best_at;  ///< every parameter of the smallest value
 
   Eigen::VectorXd best() const { return Eigen::VectorXd::Constant(box.lower.size(), best_at); }
+};
+
+/// Draws places in a box, evenly.
+class Places {
+ public:
+  explicit Places(std::uint64_t seed) : engine_(seed) {}
+  Eigen::VectorXd in(const particulate::identification::Box& box) {
+    const Eigen::ArrayXd u = Eigen::ArrayXd::NullaryExpr(box.lower.size(), [&] { return uniform_(engine_); });
+    return box.lower.array() + u * (box.upper - box.lower).array();
+  }
+
+ private:
+  boost::random::mt19937_64 engine_;
+  boost::random::uniform_01<double> uniform_;
 };
 
 /// The same bounds for every parameter.
