@@ -43,7 +43,7 @@ Sizes sizes_of(const MultirateSettings& settings) {
 }  // namespace
 
 void validate(const MultirateSettings& settings) {
-  validate_tolerance("multirate collocation: TOL", settings.TOL);
+  validate_tolerance("multirate collocation", settings.TOL);
   validate("multirate collocation", sizes_of(settings));
 }
 
