@@ -90,6 +90,23 @@ Eigen::VectorXd inverse_masses(const Particles& particles) {
   return inverse;
 }
 
+Particles chosen(const Particles& particles, const std::vector<Eigen::Index>& numbers) {
+  for (const Eigen::Index i : numbers) {
+    if (i >= 0 && i < particles.size()) continue;
+    throw std::invalid_argument(
+        fmt::format("particles: there is no particle {} among {}: choose others", i, particles.size()));
+  }
+  Particles some{.position = particles.position(numbers, Eigen::all),
+                 .velocity = particles.velocity(numbers, Eigen::all),
+                 .mass = particles.mass(numbers),
+                 .radius = particles.radius(numbers)};
+  for (const Eigen::Index i : numbers) {
+    if (particles.immovable.empty()) break;
+    some.immovable.push_back(particles.immovable[static_cast<std::size_t>(i)]);
+  }
+  return some;
+}
+
 void require_one_length(std::initializer_list<Eigen::Index> lengths) {
   if (std::adjacent_find(lengths.begin(), lengths.end(), std::not_equal_to<>()) == lengths.end()) return;
   throw std::invalid_argument(

@@ -58,6 +58,14 @@ struct Particle {
 /// @throws std::invalid_argument naming the first particle of which something is not given, and as validate() does
 Particles particles(const std::vector<Particle>& list);
 
+/// Some of a set of particles.
+///
+/// @param particles  a set
+/// @param numbers    of those that are wanted, in the order in which they are
+/// @return these
+/// @throws std::invalid_argument for a particle that is not there
+Particles chosen(const Particles& particles, const std::vector<Eigen::Index>& numbers);
+
 /// Refuses arrays that belong to one set of particles and differ in length: read against each other they would give a
 /// number all the same.
 ///

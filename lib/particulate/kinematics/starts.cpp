@@ -302,15 +302,7 @@ Particles reordered(const Particles& particles, const std::vector<Eigen::Index>&
     throw std::invalid_argument(
         fmt::format("order: must name each of {} particles once, got {} numbers that do not", N, order.size()));
   }
-  Particles result{.position = particles.position(order, Eigen::all),
-                   .velocity = particles.velocity(order, Eigen::all),
-                   .mass = particles.mass(order),
-                   .radius = particles.radius(order)};
-  for (const Eigen::Index i : order) {
-    if (particles.immovable.empty()) break;
-    result.immovable.push_back(particles.immovable[static_cast<std::size_t>(i)]);
-  }
-  return result;
+  return chosen(particles, order);
 }
 
 }  // namespace particulate::kinematics

@@ -170,6 +170,12 @@ Kernel best_kernel() {
   return is_available(Kernel::avx2) ? Kernel::avx2 : Kernel::baseline;
 }
 
+detail::AddPairs detail::add_pairs_of(Kernel kernel, std::int64_t N) {
+  if (!is_available(kernel)) throw std::invalid_argument(refusal(kernel));
+  if (N <= few) return add_pairs_baseline;
+  return built(kernel == Kernel::best ? best_kernel() : kernel).all;
+}
+
 void validate(const NearField& law) {
   validate(kinematics::CentralForce{.alpha1 = law.alpha1, .alpha2 = law.alpha2});
   for (const auto& [constant, beta] : {std::pair{"beta1", law.beta1}, {"beta2", law.beta2}}) {
