@@ -290,6 +290,14 @@ concept Impacts = requires(const L& law, const laws::At<laws::Velocity>& at, Tou
   { resolve_impacts(law, at, touching, force, dt, velocity) } -> std::same_as<schemes::Jump>;
 };
 
+/// A law that turns impacts into heat: `add_heat_of_impact(law, at, impact, heat)` adds what the bodies gain to `heat`
+/// [J] and returns the chemical energy of which it came beside kinetic energy [J].
+template <class L>
+concept HeatsImpacts = requires(const L& law, const laws::At<laws::Temperature>& at, const ImpactRecord& impact,
+                                schemes::Out heat) {
+  { add_heat_of_impact(law, at, impact, heat) } -> std::same_as<double>;
+};
+
 /// A law that locates its impacts: `first_impact(law, domain, radius, inverse_mass, neighbours, path, end)`.
 template <class L, class D>
 concept LocatesImpacts = Impacts<L> &&

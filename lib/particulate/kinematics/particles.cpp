@@ -31,10 +31,30 @@ void validate_finite(const Vectors& x, const char* what, const char* unit) {
   }
 }
 
+void validate_heat(const Particles& p) {
+  const Eigen::Index N = p.size(), temperatures = p.temperature.size(), capacities = p.heat_capacity.size();
+  if (temperatures != capacities || (temperatures != 0 && temperatures != N)) {
+    throw std::invalid_argument(
+        fmt::format("particles: temperature and heat_capacity must both be empty or hold one entry a particle, got {} "
+                    "and {} for {}",
+                    temperatures, capacities, N));
+  }
+  const auto require_positive = [](const Eigen::VectorXd& x, const char* what, const char* unit) {
+    for (Eigen::Index i = 0; i < x.size(); ++i) {
+      if (x[i] > 0.0 && std::isfinite(x[i])) continue;
+      throw std::invalid_argument(
+          fmt::format("particles: {} must be positive and finite, got {} {} for particle {}", what, x[i], unit, i));
+    }
+  };
+  require_positive(p.temperature, "temperatures", "K");
+  require_positive(p.heat_capacity, "heat capacities", "J/(kg K)");
+}
+
 }  // namespace
 
 void validate(const Particles& particles) {
   validate_lengths(particles);
+  validate_heat(particles);
   const std::size_t flags = particles.immovable.size();
   if (flags != 0 && flags != static_cast<std::size_t>(particles.size())) {
     throw std::invalid_argument(fmt::format(
@@ -62,8 +82,14 @@ Particles particles(const std::vector<Particle>& list) {
       .position = Vectors(N, 3), .velocity = Vectors(N, 3), .mass = Eigen::VectorXd(N), .radius = Eigen::VectorXd(N)};
   const bool all_move = std::none_of(list.begin(), list.end(), [](const Particle& one) { return one.immovable; });
   if (!all_move) all.immovable.resize(list.size());
+  const bool have_heat = std::any_of(list.begin(), list.end(), [](const Particle& one) {
+    return !std::isnan(one.temperature) || !std::isnan(one.heat_capacity);
+  });
+  all.temperature.resize(have_heat ? N : 0);
+  all.heat_capacity.resize(have_heat ? N : 0);
   for (Eigen::Index i = 0; i < N; ++i) {
-    const auto& [position, velocity, mass, radius, immovable] = list[static_cast<std::size_t>(i)];
+    const auto& [position, velocity, mass, radius, immovable, temperature, heat_capacity] =
+        list[static_cast<std::size_t>(i)];
     const char* const missing = position.array().isNaN().any() ? "position"
                                 : std::isnan(mass)             ? "mass"
                                 : std::isnan(radius)           ? "radius"
@@ -77,6 +103,7 @@ Particles particles(const std::vector<Particle>& list) {
     all.mass[i] = mass;
     all.radius[i] = radius;
     if (immovable) all.immovable[static_cast<std::size_t>(i)] = true;
+    if (have_heat) all.temperature[i] = temperature, all.heat_capacity[i] = heat_capacity;
   }
   validate(all);
   return all;
@@ -103,6 +130,10 @@ Particles chosen(const Particles& particles, const std::vector<Eigen::Index>& nu
   for (const Eigen::Index i : numbers) {
     if (particles.immovable.empty()) break;
     some.immovable.push_back(particles.immovable[static_cast<std::size_t>(i)]);
+  }
+  if (particles.temperature.size() > 0) {
+    some.temperature = particles.temperature(numbers);
+    some.heat_capacity = particles.heat_capacity(numbers);
   }
   return some;
 }

@@ -27,6 +27,9 @@ struct Particles {
   /// Particles that no force and no impact moves; empty: every particle moves. Their masses still scale the near field.
   std::vector<bool> immovable = {};
 
+  Eigen::VectorXd temperature = {};    ///< theta_i > 0 at the start, N; empty without heat [K]
+  Eigen::VectorXd heat_capacity = {};  ///< c_i > 0, N; empty without heat [J/(kg K)]
+
   /// @return the number of particles N [-]
   Eigen::Index size() const { return mass.size(); }
 };
@@ -35,17 +38,19 @@ struct Particles {
 ///
 /// @param particles  a start; no particle at all is allowed
 /// @throws std::invalid_argument if lengths differ, a position or velocity is not finite, a mass is not positive and
-///         finite, or a radius is negative or not finite
+///         finite, a radius is negative or not finite, or temperatures and heat capacities are not positive and finite
 void validate(const Particles& particles);
 
 /// One particle of a list. What it must be given is no number until it is; what is left out of the rest does nothing.
 struct Particle {
   /// r_i, must be given [m]
   Eigen::Vector3d position = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
-  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();        ///< v_i; left out: at rest [m/s]
-  double mass = std::numeric_limits<double>::quiet_NaN();    ///< m_i > 0, must be given [kg]
-  double radius = std::numeric_limits<double>::quiet_NaN();  ///< b_i >= 0, must be given; 0: a point [m]
-  bool immovable = false;                                    ///< whether no force and no impact moves it
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();               ///< v_i; left out: at rest [m/s]
+  double mass = std::numeric_limits<double>::quiet_NaN();           ///< m_i > 0, must be given [kg]
+  double radius = std::numeric_limits<double>::quiet_NaN();         ///< b_i >= 0, must be given; 0: a point [m]
+  bool immovable = false;                                           ///< whether no force and no impact moves it
+  double temperature = std::numeric_limits<double>::quiet_NaN();    ///< theta_i > 0; left out of all: no heat [K]
+  double heat_capacity = std::numeric_limits<double>::quiet_NaN();  ///< c_i > 0, likewise [J/(kg K)]
 };
 
 /// Particles from a list, one after the other:

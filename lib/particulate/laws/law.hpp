@@ -29,6 +29,7 @@ class Scratch {
   ChosenPairs close;       ///< pairs whose forces change fast: see SplitsForce
   Eigen::VectorXd others;  ///< forces of the other laws on bodies that meet, 3 N [N]
   Eigen::VectorXd after;   ///< velocities after they have met, 3 N [m/s]
+  Eigen::VectorXd heat;    ///< what they gain by that, N [J]
 
   static constexpr std::size_t line = 8;  ///< numbers of a cache line [-]
 
@@ -115,6 +116,23 @@ inline constexpr bool needs_velocity = Force<L, D> && !AddsForce<L, D, At<>> && 
 /// Whether the forces of a law ask for temperatures.
 template <class L, class D>
 inline constexpr bool needs_temperature = Force<L, D> && !AddsForce<L, D, At<>> && !AddsForce<L, D, At<Velocity>>;
+
+using Heats = Eigen::Map<Eigen::VectorXd>;  ///< heat flows into the particles, N, that a law adds to [W]
+
+/// A law that heats or cools, given such a view: `add_heat(law, domain, at, heat)` returns whether the flows have a
+/// value there.
+template <class L, class D, class View>
+concept AddsHeatGiven = requires(const L& law, const D& domain, const View& at, Heats heat) {
+  { add_heat(law, domain, at, heat) } -> std::same_as<bool>;
+};
+
+/// A law that heats or cools: the temperatures of its scene have a rate.
+template <class L, class D>
+concept AddsHeat = AddsHeatGiven<L, D, At<Temperature>> || AddsHeatGiven<L, D, At<Velocity, Temperature>>;
+
+/// Whether the heat of a law asks for velocities.
+template <class L, class D>
+inline constexpr bool heat_needs_velocity = AddsHeat<L, D> && !AddsHeatGiven<L, D, At<Temperature>>;
 
 /// A law whose force falls into a part of few pairs, which changes fast, and the rest: `choose_close(law, domain, at,
 /// dt)` chooses the pairs for a step of size dt that starts there, in the scratch, and returns whether it could;

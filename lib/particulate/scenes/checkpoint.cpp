@@ -51,7 +51,7 @@ std::vector<double> numbers_of(const schemes::Outcome& of) {
   const auto count = [](long n) { return static_cast<double>(n); };
   std::vector<double> all = {count(of.steps),   count(of.rejections), count(of.sweeps), count(of.evaluations),
                              count(of.impacts), of.contraction,       of.overlap,       of.overlap_at_start,
-                             of.travel,         of.energy_change};
+                             of.travel,         of.energy_change,     of.heat,          of.released};
   for (const schemes::JumpShare& share : of.jumps_by_law) {
     all.insert(all.end(), {count(share.impacts), share.energy_change});
   }
@@ -125,7 +125,7 @@ class Records {
 
 schemes::Outcome outcome_from(const Records& records, double t) {
   const std::vector<double> all = records.numbers("outcome");
-  if (all.size() < 10 || all.size() % 2 != 0) records.refuse();
+  if (all.size() < 12 || all.size() % 2 != 0) records.refuse();
   const auto count = [&](std::size_t k) { return static_cast<long>(all[k]); };
   schemes::Outcome outcome{.t = t,
                            .steps = count(0),
@@ -138,8 +138,10 @@ schemes::Outcome outcome_from(const Records& records, double t) {
                            .overlap_at_start = all[7],
                            .travel = all[8],
                            .energy_change = all[9],
+                           .heat = all[10],
+                           .released = all[11],
                            .ruled = records.text("ruled")};
-  for (std::size_t k = 10; k < all.size(); k += 2) {
+  for (std::size_t k = 12; k < all.size(); k += 2) {
     outcome.jumps_by_law.push_back({.impacts = count(k), .energy_change = all[k + 1]});
   }
   return outcome;

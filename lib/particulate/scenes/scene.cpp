@@ -16,6 +16,8 @@ namespace particulate::scenes::detail {
 void add_jump(schemes::Jump one, schemes::Jump& all) {
   all.impacts += one.impacts;
   all.energy_change += one.energy_change;
+  all.heat += one.heat;
+  all.released += one.released;
   all.overlap = std::max(all.overlap, one.overlap);
   all.travel = std::max(all.travel, one.travel);
   all.evaluations += one.evaluations;
@@ -51,6 +53,20 @@ double closest(const kinematics::Space& domain, schemes::In r) {
     cells.insert(i, here, 0.5 * nearest);
   }
   return nearest;
+}
+
+void require_temperatures(const kinematics::Particles& particles) {
+  if (particles.temperature.size() == particles.size()) return;
+  throw std::invalid_argument(
+      "scene: its laws exchange heat, so that every particle must have a temperature and a heat capacity, but they "
+      "have "
+      "none: give Particles::temperature and heat_capacity");
+}
+
+void require_temperatures(Eigen::Index given, Eigen::Index N) {
+  if (given == N) return;
+  throw std::invalid_argument(
+      fmt::format("scene: the y of a state must hold a temperature a particle, {}, got {} numbers", N, given));
 }
 
 void refuse_length(Eigen::Index given, Eigen::Index N) {

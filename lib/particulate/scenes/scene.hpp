@@ -8,6 +8,7 @@
 #include <string>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 #include <particulate/contact/contact.hpp>
 #include <particulate/kinematics/domain.hpp>
@@ -43,6 +44,13 @@ schemes::Jump jump_of(const L& law, const D& domain, const laws::At<laws::Veloci
   return jump(law, domain, at, dt, velocity);
 }
 
+template <class L>
+double heat_of_impact(const L& law, const laws::At<laws::Temperature>& at, const contact::ImpactRecord& impact,
+                      schemes::Out heat) {
+  if constexpr (contact::HeatsImpacts<L>) return add_heat_of_impact(law, at, impact, heat);
+  return 0.0;
+}
+
 // Adds what one law did to what all have done.
 void add_jump(schemes::Jump one, schemes::Jump& all);
 
@@ -66,6 +74,10 @@ double closest(const D& domain, schemes::In r) {
 // The same by search.
 double closest(const kinematics::Space& domain, schemes::In r);
 
+// Refuses particles without temperatures, or another number of them.
+void require_temperatures(const kinematics::Particles& particles);
+void require_temperatures(Eigen::Index given, Eigen::Index N);
+
 // A vector of another length would be read beyond its end.
 inline void require_length(Eigen::Index given, Eigen::Index N) {
   if (given != 3 * N) refuse_length(given, N);
@@ -84,10 +96,12 @@ inline void require_length(Eigen::Index given, Eigen::Index N) {
 template <kinematics::Domain D, class... Laws>
 class Scene {
   static_assert(
-      ((laws::Force<Laws, D> || contact::Impacts<Laws> || laws::ChangesVelocities<Laws, D>)&&...),
-      "a law of this scene has no add_force(law, domain, at, forces) for this domain, nor resolves impacts, nor jumps");
-  static_assert(!(laws::needs_temperature<Laws, D> || ...),
-                "a law of this scene asks for temperatures, which its particles do not have");
+      ((laws::Force<Laws, D> || laws::AddsHeat<Laws, D> || contact::Impacts<Laws> || contact::HeatsImpacts<Laws> ||
+        laws::ChangesVelocities<Laws, D>)&&...),
+      "a law of this scene has no add_force(law, domain, at, forces) for this domain, nor add_heat(law, domain, at, "
+      "heat), nor resolves or heats impacts, nor jumps");
+  static_assert((contact::Impacts<Laws> || ...) || !(contact::HeatsImpacts<Laws> || ...),
+                "a law of this scene turns impacts into heat, and no law resolves any: add a contact");
   static_assert(
       (0 + ... + static_cast<int>(contact::Impacts<Laws>)) <= 1,
       "a scene has at most one law that resolves impacts: several would each settle what the other unsettles");
@@ -106,10 +120,24 @@ class Scene {
     if constexpr (std::same_as<D, kinematics::Space>) validate_periods(domain_, particles_.radius);
     std::apply([&](const auto&... law) { (check(law), ...), (check_in(domain_, law), ...); }, laws_);
     inverse_mass_ = inverse_masses(particles_);
+    if constexpr (has_temperatures) detail::require_temperatures(particles_);
   }
 
+  /// Whether a law heats or cools, so that temperatures have a rate.
+  static constexpr bool has_heat_flow = (laws::AddsHeat<Laws, D> || ...);
+  /// Whether a law turns impacts into heat.
+  static constexpr bool heats_impacts = (contact::HeatsImpacts<Laws> || ...);
+  /// Whether the particles have temperatures, which are then the y of the scene's states [K].
+  static constexpr bool has_temperatures = has_heat_flow || heats_impacts || (laws::needs_temperature<Laws, D> || ...);
+  /// Whether they change by impacts alone. @see schemes::CoupledProblem
+  static constexpr bool values_by_jumps = has_temperatures && !has_heat_flow;
+  /// Whether motion and temperatures act on each other at every moment.
+  static constexpr bool is_coupled = has_heat_flow || (laws::needs_temperature<Laws, D> || ...);
+
   /// Whether a law asks for velocities.
-  static constexpr bool needs_velocity = (laws::needs_velocity<Laws, D> || ...);
+  static constexpr bool needs_velocity = ((laws::needs_velocity<Laws, D> || laws::heat_needs_velocity<Laws, D>) || ...);
+  /// Whether none does. @see schemes::CoupledProblem
+  static constexpr bool ignores_velocities = !needs_velocity;
   /// Whether a law changes velocities at once at the end of a step.
   template <class L>
   static constexpr bool jumps = contact::Impacts<L> || laws::ChangesVelocities<L, D>;
@@ -127,7 +155,7 @@ class Scene {
   /// @param r  positions, 3 N numbers, column by column [m]
   /// @param a  receives the accelerations, as long as r [m/s^2]
   /// @return whether they have a finite value there
-  bool acceleration(double t, schemes::In r, schemes::Out a) const requires(!needs_velocity) {
+  bool acceleration(double t, schemes::In r, schemes::Out a) const requires(!needs_velocity && !is_coupled) {
     return force(places(t, r), a) && divide_by_mass(a);
   }
   /// Accelerations at given positions and velocities. @see schemes::MotionProblem
@@ -137,8 +165,30 @@ class Scene {
   /// @param v  velocities, as long as r [m/s]
   /// @param a  receives the accelerations, as long as r [m/s^2]
   /// @return whether they have a finite value there
-  bool acceleration(double t, schemes::In r, schemes::In v, schemes::Out a) const requires needs_velocity {
+  bool acceleration(double t, schemes::In r, schemes::In v, schemes::Out a) const
+      requires(needs_velocity && !is_coupled) {
     return force(moving(t, r, v), a) && divide_by_mass(a);
+  }
+  /// Accelerations, and rates of the temperatures,
+  ///
+  /// \f[ m_i c_i\, \dot\theta_i = \dot Q_i . \f]
+  ///
+  /// @see schemes::CoupledProblem
+  /// @param t   time [s]
+  /// @param r   positions, 3 N numbers, column by column [m]
+  /// @param v   velocities, as long as r; not looked at where no law asks for them [m/s]
+  /// @param y   temperatures, N numbers [K]
+  /// @param a   receives the accelerations, as long as r [m/s^2]
+  /// @param dy  receives the rates, N numbers; empty where temperatures change by impacts alone [K/s]
+  /// @return whether all have a finite value there: not where a temperature is negative
+  bool rates(double t, schemes::In r, schemes::In v, schemes::In y, schemes::Out a,
+             schemes::Out dy) const requires is_coupled {
+    const auto at = view(t, r, v, y);
+    return (y.array() >= 0.0).all() && force(at, a) && divide_by_mass(a) && heat(at, dy);
+  }
+  /// @return one range, of temperatures @see schemes::HasRanges
+  std::vector<schemes::Range> ranges() const requires has_temperatures {
+    return {{.name = "temperatures", .first = 0, .size = particles_.size()}};
   }
 
   /// How many laws have a part that changes fast.
@@ -171,11 +221,7 @@ class Scene {
   /// @param f      receives the forces, 3 N numbers, column by column [N]
   /// @return whether they have a value there
   bool total_force(const schemes::State& state, schemes::Out f) const {
-    if constexpr (needs_velocity) {
-      return force(moving(state.t, state.r, state.v), f);
-    } else {
-      return force(places(state.t, state.r), f);
-    }
+    return force(view(state.t, state.r, state.v, state.y), f);
   }
 
   /// The same, and the potential energy of all laws; a near field in Space finds both in one pass over its pairs.
@@ -186,13 +232,7 @@ class Scene {
   /// @return whether they have a value there
   bool total_force(const schemes::State& state, schemes::Out f, double& energy) const
       requires(laws::Conservative<Laws, D>&&...) {
-    const auto at = [&] {
-      if constexpr (needs_velocity) {
-        return moving(state.t, state.r, state.v);
-      } else {
-        return places(state.t, state.r);
-      }
-    }();
+    const auto at = view(state.t, state.r, state.v, state.y);
     energy = 0.0;
     return force_of(f, [&](const auto& law, laws::Forces sum) {
       if constexpr (requires { add_force_and_energy(law, domain_, at, sum, energy); }) {
@@ -332,10 +372,38 @@ class Scene {
               .unsettled = "the forces have no value where bodies touch" + (why.empty() ? "" : ": " + why)};
     }
     after = state.v;
-    schemes::Jump jump = resolve_impacts(law, here, std::move(touching), others, dt, after);
+    schemes::Jump jump = resolve(law, here, std::move(touching), dt, state.y);
     jump.evaluations = 1;
     state.v.swap(after);
     return jump;
+  }
+
+  // Resolves what touches, from the other forces to the velocities after in the scratch; what becomes heat goes to the
+  // temperatures.
+  template <class L>
+  schemes::Jump resolve(const L& law, const laws::At<laws::Velocity>& here, contact::Touching touching, double dt,
+                        schemes::Out y) const {
+    Eigen::VectorXd &others = scratch_.others, &after = scratch_.after;
+    if constexpr (!heats_impacts) {
+      return resolve_impacts(law, here, std::move(touching), others, dt, after);
+    } else {
+      const laws::At<laws::Temperature> at{here, temperatures(y)};
+      Eigen::VectorXd& heat = scratch_.heat;
+      heat.setZero(y.size());
+      double released = 0.0;
+      L told = law;
+      told.recorder = [&](const contact::ImpactRecord& one) {
+        if (law.recorder) law.recorder(one);
+        const auto heated_by = [&](const auto& each) { return detail::heat_of_impact(each, at, one, heat); };
+        std::apply([&](const auto&... each) { ((released += heated_by(each)), ...); }, laws_);
+      };
+      schemes::Jump jump = resolve_impacts(told, here, std::move(touching), others, dt, after);
+      if (!jump.unsettled.empty()) return jump;
+      y.array() += heat.array() / (particles_.mass.array() * particles_.heat_capacity.array());
+      jump.heat = heat.sum();
+      jump.released = released;
+      return jump;
+    }
   }
 
   template <class L>
@@ -360,6 +428,40 @@ class Scene {
   }
   laws::At<laws::Velocity> moving(double t, const schemes::In& r, const schemes::In& v) const {
     return {places(t, r), shaped(v)};
+  }
+
+  Eigen::Map<const Eigen::VectorXd> temperatures(const schemes::In& y) const {
+    detail::require_temperatures(y.size(), particles_.size());
+    return {y.data(), y.size()};
+  }
+  // As much of a moment as the laws ask for.
+  auto view(double t, const schemes::In& r, const schemes::In& v, const schemes::In& y) const {
+    if constexpr (is_coupled && needs_velocity) {
+      return laws::At<laws::Velocity, laws::Temperature>{moving(t, r, v), temperatures(y)};
+    } else if constexpr (is_coupled) {
+      return laws::At<laws::Temperature>{places(t, r), temperatures(y)};
+    } else if constexpr (needs_velocity) {
+      return moving(t, r, v);
+    } else {
+      return places(t, r);
+    }
+  }
+
+  template <class L, class Here>
+  bool add_flow(const L& law, const Here& at, laws::Heats sum) const {
+    if constexpr (laws::AddsHeat<L, D>) return add_heat(law, domain_, at, sum);
+    return true;
+  }
+  template <class Here>
+  bool heat(const Here& at, schemes::Out dy) const {
+    if constexpr (has_heat_flow) {
+      dy.setZero();
+      const laws::Heats sum(dy.data(), dy.size());
+      const bool all = std::apply([&](const auto&... law) { return (add_flow(law, at, sum) && ...); }, laws_);
+      dy.array() /= particles_.mass.array() * particles_.heat_capacity.array();
+      return all && dy.allFinite();
+    }
+    return true;
   }
 
   template <class L, class Here>
@@ -403,10 +505,13 @@ class Scene {
 /// Where a scene starts.
 ///
 /// @param scene  the scene
-/// @return its particles' positions and velocities at t = 0
+/// @return its particles' positions, velocities and, with heat, temperatures at t = 0
 template <kinematics::Domain D, class... Laws>
 schemes::State start(const Scene<D, Laws...>& scene) {
-  return {.t = 0.0, .r = scene.particles().position.reshaped(), .v = scene.particles().velocity.reshaped()};
+  schemes::State state{
+      .t = 0.0, .r = scene.particles().position.reshaped(), .v = scene.particles().velocity.reshaped()};
+  if constexpr (Scene<D, Laws...>::has_temperatures) state.y = scene.particles().temperature;
+  return state;
 }
 
 }  // namespace particulate::scenes

@@ -301,6 +301,8 @@ class Run {
     if (task_.jumped) task_.jumped(task_.observer, to_, jump);
     out_.impacts += jump.impacts;
     out_.energy_change += jump.energy_change;
+    out_.heat += jump.heat;
+    out_.released += jump.released;
     out_.overlap = std::max(out_.overlap, jump.overlap);
     out_.travel = std::max(out_.travel, jump.travel);
     out_.evaluations += jump.evaluations;

@@ -61,6 +61,8 @@ Outcome& operator+=(Outcome& run, const Outcome& leg) {
   all.evaluations += run.evaluations;
   all.impacts += run.impacts;
   all.energy_change = run.energy_change + leg.energy_change;
+  all.heat = run.heat + leg.heat;
+  all.released = run.released + leg.released;
   all.contraction = std::max(run.contraction, leg.contraction);
   all.overlap = std::max(run.overlap, leg.overlap);
   all.travel = std::max(run.travel, leg.travel);
@@ -128,6 +130,8 @@ std::string describe(const Outcome& outcome) {
   facts.measure("deepest overlap", outcome.overlap, " m");
   if (outcome.travel > 1.0) facts.measure("a body moved in a step by", outcome.travel, " of its radius");
   facts.measure("energy changed by jumps", outcome.energy_change, " J");
+  facts.measure("heat from impacts", outcome.heat, " J");
+  facts.measure("of it released", outcome.released, " J");
   facts.measure("a step that would have worked", outcome.workable_step, " s");
   facts.measure("accumulating at t =", outcome.accumulation, " s");
   if (!outcome.ruled.empty()) facts.add(fmt::format("steps cut by {}", outcome.ruled));

@@ -61,6 +61,8 @@ struct [[nodiscard]] Outcome {
   long contacts_at_start = 0;     ///< pairs that overlap there, and bodies with walls [-]
   double travel = 0.0;  ///< largest Jump::travel of a step: where it is above 1, stepped contact may miss impacts [-]
   double energy_change = 0.0;                                      ///< of the kinetic energy by jumps [J]
+  double heat = 0.0;                                               ///< thermal energy that jumps added [J]
+  double released = 0.0;                                           ///< chemical energy that jumps released [J]
   double accumulation = std::numeric_limits<double>::quiet_NaN();  ///< after Failure::accumulating: the time that jumps
                                                                    ///< or events do not get beyond [s]
   std::vector<JumpShare> jumps_by_law = {};  ///< of each law that jumps, in their order; empty where there is one

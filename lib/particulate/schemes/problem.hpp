@@ -148,6 +148,8 @@ struct JumpShare {
 struct Jump {
   long impacts = 0;            ///< pairs that exchanged an impulse [-]
   double energy_change = 0.0;  ///< kinetic energy after minus before [J]
+  double heat = 0.0;           ///< thermal energy after minus before [J]
+  double released = 0.0;       ///< chemical energy of which that came, beside kinetic energy [J]
   double overlap = 0.0;        ///< deepest overlap of two bodies before it [m]
   double travel = 0.0;         ///< largest move of a body in the step, over its radius, if bodies could pass unseen [-]
   long evaluations = 0;        ///< right-hand sides that it asked for [-]
