@@ -171,6 +171,13 @@ concept Validated = requires(const L& law) {
   validate(law);
 };
 
+/// A law that can be checked against the particles of the scene it enters: `validate(law, particles)` throws
+/// std::invalid_argument.
+template <class L>
+concept ValidatedWith = requires(const L& law, const kinematics::Particles& particles) {
+  validate(law, particles);
+};
+
 /// A law that can be checked against the domain it enters: `validate(law, domain)` throws std::invalid_argument.
 template <class L, class D>
 concept ValidatedIn = requires(const L& law, const D& domain) {

@@ -118,7 +118,11 @@ class Scene {
     validate(particles_);
     check(domain_);
     if constexpr (std::same_as<D, kinematics::Space>) validate_periods(domain_, particles_.radius);
-    std::apply([&](const auto&... law) { (check(law), ...), (check_in(domain_, law), ...); }, laws_);
+    std::apply(
+        [&](const auto&... law) {
+          (check(law), ...), (check_with(particles_, law), ...), (check_in(domain_, law), ...);
+        },
+        laws_);
     inverse_mass_ = inverse_masses(particles_);
     if constexpr (has_temperatures) detail::require_temperatures(particles_);
   }
@@ -409,6 +413,10 @@ class Scene {
   template <class L>
   static void check(const L& law) {
     if constexpr (laws::Validated<L>) validate(law);
+  }
+  template <class L>
+  static void check_with(const kinematics::Particles& particles, const L& law) {
+    if constexpr (laws::ValidatedWith<L>) validate(law, particles);
   }
   template <class L>
   static void check_in(const D& domain, const L& law) {
