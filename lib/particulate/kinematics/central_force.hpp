@@ -101,6 +101,17 @@ double transverse_stiffness(const CentralForce& law, double d);
 /// @throws std::invalid_argument if the law balances nowhere or everywhere, or at no distance that a double can hold
 double equilibrium_distance(const CentralForce& law);
 
+/// Distance beyond which the law is no longer convex along the line of centres: its inflection.
+///
+/// \f[ d^* = \left(\frac{\beta_2 \alpha_2}{\beta_1 \alpha_1}\right)^{1/(\beta_2-\beta_1)}
+///        = \left(\frac{\beta_2}{\beta_1}\right)^{1/(\beta_2-\beta_1)} d_e, \qquad V''(d^*) = 0 \f]
+///
+/// @equation{D 7.3}
+/// @param law  constants that validate() accepts, with an equilibrium
+/// @return d*; infinite where beta1 is zero, as the attraction then never falls [m]
+/// @throws std::invalid_argument as equilibrium_distance()
+double inflection_distance(const CentralForce& law);
+
 /// Whether the equilibrium is stable along the line of centres, which it is iff \f$ \beta_2 > \beta_1 \f$.
 ///
 /// @equation{M 1.36} From \f$ V''(d_e) = \alpha_1 d_e^{-\beta_1-1}(\beta_2-\beta_1) \f$.
