@@ -70,7 +70,7 @@ bool add_field(const CentralField& field, const kinematics::Space& domain, const
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
     for (Eigen::Index i = 0; i < N; ++i) f[axis * N + i] += added[axis][i];
   }
-  return true;
+  return force.allFinite();
 }
 
 }  // namespace particulate::laws

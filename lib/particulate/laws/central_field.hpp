@@ -20,11 +20,11 @@ namespace particulate::laws {
 ///
 /// @equation{R 6.2}
 struct CentralField {
-  kinematics::CentralForce per_mass;        ///< exponents may be as low as -1 [N m^beta/kg]
-  std::span<const Eigen::Vector3d> centre;  ///< c_k [m]
-  double d_ref = 1.0;                       ///< distance at which a potential energy is zero, > 0 [m]
-  Kernel kernel = Kernel::best;             ///< what adds the forces in Space
-  bool vanishes_at_centre = false;          ///< whether a particle at a centre feels nothing of it; false: no force
+  kinematics::CentralForce per_mass;             ///< exponents may be as low as -1 [N m^beta/kg]
+  std::span<const Eigen::Vector3d> centre = {};  ///< c_k [m]
+  double d_ref = 1.0;                            ///< distance at which a potential energy is zero, > 0 [m]
+  Kernel kernel = Kernel::best;                  ///< what adds the forces in Space
+  bool vanishes_at_centre = false;  ///< whether a particle at a centre feels nothing of it; false: no force
 };
 
 /// Adds the forces of fixed centres, pair by pair.
