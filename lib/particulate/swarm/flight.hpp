@@ -103,7 +103,8 @@ struct WholeObserver {
   template <class S>
   bool operator()(const schemes::State& from, const schemes::State& to, double dt, const S& scheme) {
     const bool lost = legs.find_lost(to);
-    goes_on = observer(legs.whole(from, from_), legs.whole(to, to_), dt, WholeScheme<S>{scheme, legs, from});
+    const WholeScheme<S> whole{scheme, legs, from};
+    goes_on = observer(legs.whole(from, from_), legs.whole(to, to_), dt, whole);
     return goes_on && !lost;
   }
   void rest_until(double t_end, schemes::Outcome& outcome) {
@@ -113,7 +114,8 @@ struct WholeObserver {
     from_ = to_ = legs.whole(now, from_);
     now.t = to_.t = t_end;
     now.t_carry = to_.t_carry = 0.0;
-    if (observer(from_, to_, dt, AtRest{})) return;
+    const AtRest scheme;
+    if (observer(std::as_const(from_), std::as_const(to_), dt, scheme)) return;
     outcome.status = schemes::Status::stopped;
     outcome.reason = "the observer asked for it";
   }
