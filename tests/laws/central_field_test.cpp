@@ -49,20 +49,26 @@ Pulled forces(const CentralField& field, const D& domain, const Moment& moment) 
   return {force, has_value};
 }
 
-// The formula as it is printed, in extended precision with std::pow: by how much a force is off, over the sum of the
-// sizes of its terms, at worst.
-double worst_error(const CentralField& field, const Moment& moment, const Vectors& force) {
+struct Plain {
+  Vectors force;          // the sums
+  Eigen::VectorXd terms;  // and those of the sizes of their terms
+};
+
+// The formula as it is printed, in extended precision with std::pow.
+Plain plain_double_loop(const CentralField& field, const Moment& moment) {
   const CentralForce& law = field.per_mass;
-  double worst = 0.0;
-  for (Eigen::Index i = 0; i < force.rows(); ++i) {
+  const Eigen::Index N = moment.particles.size();
+  Plain plain{Vectors(N, 3), Eigen::VectorXd(N)};
+  for (Eigen::Index i = 0; i < N; ++i) {
     std::array<long double, 3> sum{};
-    long double terms = 1e-300L;
+    long double terms = 0.0L;
     for (const Eigen::Vector3d& centre : field.centre) {
       std::array<long double, 3> n{};
       long double square = 0.0L;
-      for (Eigen::Index c = 0; c < 3; ++c) {
-        n[static_cast<std::size_t>(c)] = static_cast<long double>(centre[c]) - moment.particles.position(i, c);
-        square += n[static_cast<std::size_t>(c)] * n[static_cast<std::size_t>(c)];
+      for (std::size_t c = 0; c < 3; ++c) {
+        const auto axis = static_cast<Eigen::Index>(c);
+        n[c] = static_cast<long double>(centre[axis]) - moment.particles.position(i, axis);
+        square += n[c] * n[c];
       }
       const long double d = std::sqrt(square), m = moment.particles.mass[i];
       const long double pull = m * law.alpha1 * std::pow(d, -static_cast<long double>(law.beta1)),
@@ -70,19 +76,15 @@ double worst_error(const CentralField& field, const Moment& moment, const Vector
       for (std::size_t c = 0; c < 3; ++c) sum[c] += (pull - push) * n[c] / d;
       terms += pull + push;
     }
-    long double square = 0.0L;
-    for (std::size_t c = 0; c < 3; ++c) {
-      const long double off = sum[c] - force(i, static_cast<Eigen::Index>(c));
-      square += off * off;
-    }
-    worst = std::max(worst, static_cast<double>(std::sqrt(square) / terms));
+    for (std::size_t c = 0; c < 3; ++c) plain.force(i, static_cast<Eigen::Index>(c)) = static_cast<double>(sum[c]);
+    plain.terms[i] = static_cast<double>(terms);
   }
-  return worst;
+  return plain;
 }
 
 std::vector<Kernel> kernels() {
-  std::vector<Kernel> all{Kernel::best};
-  for (const Kernel one : {Kernel::baseline, Kernel::avx2, Kernel::avx512}) {
+  std::vector<Kernel> all{Kernel::baseline};
+  for (const Kernel one : {Kernel::avx2, Kernel::avx512}) {
     if (is_available(one)) all.push_back(one);
   }
   return all;
@@ -111,15 +113,17 @@ BOOST_AUTO_TEST_CASE(agrees_with_the_formula_for_every_kernel_exponent_and_numbe
     for (Eigen::Index N = 1; N <= 40; N += N < 18 ? 1 : 5) {
       const Moment moment = some_particles(N);
       for (const auto& [beta1, beta2] : exponents) {
+        CentralField field{.per_mass = {0.7, 0.3, beta1, beta2}, .centre = centre};
+        const Plain plain = plain_double_loop(field, moment);
+        const double bound = (2.75 * std::max(beta1, beta2) + 6.0 + 0.5 * std::sqrt(static_cast<double>(count))) * eps;
         for (const Kernel kernel : kernels()) {
-          const CentralField field{.per_mass = {0.7, 0.3, beta1, beta2}, .centre = centre, .kernel = kernel};
+          field.kernel = kernel;
           const Pulled pulled = forces(field, Space{}, moment);
-          const double bound =
-              (2.75 * std::max(beta1, beta2) + 6.0 + 0.5 * std::sqrt(static_cast<double>(count))) * eps;
+          const Eigen::VectorXd off = (pulled.force - plain.force).rowwise().norm();
           BOOST_TEST_CONTEXT(N << " particles, " << count << " centres, beta " << beta1 << " and " << beta2
                                << ", kernel " << name(kernel)) {
             BOOST_TEST(pulled.has_value);
-            BOOST_TEST(worst_error(field, moment, pulled.force) <= bound);
+            BOOST_TEST(off.cwiseQuotient(plain.terms).maxCoeff() <= bound);
           }
         }
       }
