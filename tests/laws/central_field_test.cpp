@@ -189,12 +189,19 @@ BOOST_AUTO_TEST_CASE(that_is_too_large_for_a_double_has_no_value) {
   }
 }
 
+// Nor where a particle at a centre would feel nothing: it is not there.
 BOOST_AUTO_TEST_CASE(of_a_particle_that_is_nowhere_has_no_value) {
   const std::vector<Eigen::Vector3d> centre = centres(9);
   for (const Eigen::Index N : {1, 12}) {
-    Moment moment = some_particles(N);
-    moment.particles.position(0, 1) = not_a_number;
-    BOOST_TEST(!forces({.per_mass = both_ways, .centre = centre}, Space{}, moment).has_value);
+    for (const double nowhere : {not_a_number, infinity}) {
+      Moment moment = some_particles(N);
+      moment.particles.position(0, 1) = nowhere;
+      for (const bool vanishes : {false, true}) {
+        const CentralField field{.per_mass = both_ways, .centre = centre, .vanishes_at_centre = vanishes};
+        BOOST_TEST(!forces(field, Space{}, moment).has_value);
+        BOOST_TEST(!forces(field, Space{.lengths = {9.0, infinity, infinity}}, moment).has_value);
+      }
+    }
   }
 }
 

@@ -50,7 +50,7 @@ bool add_field(const CentralField& field, const kinematics::Space& domain, const
   const auto pair_by_pair = [&] { return add_field<kinematics::Space>(field, domain, at, force); };
   const Eigen::Index N = at.mass.size();
   if (N == 0 || field.centre.empty()) return true;
-  if (kinematics::has_periods(domain) || !at.position.allFinite()) return pair_by_pair();
+  if (kinematics::has_periods(domain)) return pair_by_pair();
   const kinematics::CentralForce& law = field.per_mass;
   const detail::PairForce pair{law.alpha1, law.alpha2, law.beta1, law.beta2, field.d_ref};
   const detail::AddPairs add_pairs = detail::add_pairs_of(field.kernel, N);
