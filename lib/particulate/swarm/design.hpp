@@ -56,15 +56,15 @@ identification::Box design_bounds();
 
 /// Where a swarm flies, and how that is computed.
 struct Course {
-  std::vector<Eigen::Vector3d> obstacles;     ///< centres [m]
-  std::vector<double> radii;                  ///< of the obstacles [m]
-  Eigen::Vector3d target = {10.0, 0.0, 0.0};  ///< [m]
-  double c_d = 1.0;                           ///< of LinearDrag, >= 0 [1/s]
-  double v_max = 3.0;                         ///< of SpeedLimit, >= 0 [m/s]
-  double duration = 15.0;                     ///< T, > 0 [s]
-  double step = 0.02;                         ///< Dt, > 0 [s]
-  double loss_penalty = 1.0;                  ///< on the objective if all are lost, >= 0 [-]
-  laws::Kernel kernel = laws::Kernel::best;   ///< what adds the forces
+  std::vector<Eigen::Vector3d> obstacles = {};  ///< centres; none: nobody is lost [m]
+  std::vector<double> radii = {};               ///< of the obstacles [m]
+  Eigen::Vector3d target = {10.0, 0.0, 0.0};    ///< [m]
+  double c_d = 1.0;                             ///< of LinearDrag, >= 0 [1/s]
+  double v_max = 3.0;                           ///< of SpeedLimit, >= 0 [m/s]
+  double duration = 15.0;                       ///< T, > 0 [s]
+  double step = 0.02;                           ///< Dt, > 0 [s]
+  double loss_penalty = 1.0;                    ///< on the objective if all are lost, >= 0 [-]
+  laws::Kernel kernel = laws::Kernel::best;     ///< what adds the forces
 };
 
 /// The obstacle fence of section 6.3: nine obstacles of radius 0.5 at (5, 2i, 2j), i, j = -1 to 1, the target behind it
