@@ -8,6 +8,8 @@ namespace particulate::swarm {
 
 Objective::Objective(const Eigen::Vector3d& target, const kinematics::Particles& start, const kinematics::Space& domain)
     : target_(target), domain_(domain), at_start_(mean_distance({start.position.data(), start.position.rows(), 3})) {
+  kinematics::validate(start);
+  if (start.size() == 0) throw std::invalid_argument("objective: needs one member at least, got none");
   if (at_start_ > 0.0 && std::isfinite(at_start_)) return;
   throw std::invalid_argument(fmt::format(
       "objective: the mean distance of the members from the target must be positive and finite at the start, as all "
