@@ -19,12 +19,6 @@ namespace verification::swarm_closed_forms {
 
 using namespace particulate;
 
-kinematics::Particles members(const std::vector<Eigen::Vector3d>& places) {
-  std::vector<kinematics::Particle> list;
-  for (const Eigen::Vector3d& place : places) list.push_back({.position = place, .mass = 1.0, .radius = 0.0});
-  return kinematics::particles(list);
-}
-
 // It speeds up for 3/4 s and then flies at 3 m/s: 1 - (1/3) (9/32 + 81/8)/10.
 const Case capped{
     {.name = "objective_of_one_member",

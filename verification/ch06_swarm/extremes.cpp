@@ -18,12 +18,6 @@ namespace verification::swarm_extremes {
 
 using namespace particulate;
 
-kinematics::Particles members(const std::vector<Eigen::Vector3d>& places) {
-  std::vector<kinematics::Particle> list;
-  for (const Eigen::Vector3d& place : places) list.push_back({.position = place, .mass = 1.0, .radius = 0.0});
-  return kinematics::particles(list);
-}
-
 swarm::Trial passed(const swarm::Course& course, const kinematics::Particles& start) {
   const swarm::Trial trial = swarm::fly(passing, course, start);
   if (trial.flight.outcome.status != schemes::Status::reached) throw std::runtime_error(trial.flight.outcome.reason);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -12,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <harness/case.hpp>
+#include <harness/endings.hpp>
 #include <harness/motions.hpp>
 #include <particulate/kinematics/momentum.hpp>
 #include <particulate/reference/integrator.hpp>
@@ -34,8 +34,8 @@ const swarm::Design careless = [] {
   return design;
 }();
 
-// Until all who are going to be lost are, and without the cap, so that SUNDIALS can fly it.
-swarm::Course short_course(double v_max = std::numeric_limits<double>::infinity()) {
+// Until all who are going to be lost are.
+swarm::Course short_course(double v_max) {
   swarm::Course course = swarm::fence();
   course.v_max = v_max;
   course.duration = 5.0;
@@ -59,45 +59,65 @@ std::string names_of(const std::vector<swarm::Loss>& lost) {
   return names;
 }
 
-// The same swarm by CVODE: a root is where a member comes to the surface of an obstacle. There it is taken out by hand.
+// Those who still fly, by hand: their numbers in the start, and where they are.
+struct Few {
+  std::vector<Eigen::Index> number;
+  schemes::State state;
+
+  explicit Few(const kinematics::Particles& start)
+      : number(static_cast<std::size_t>(start.size())),
+        state{.t = 0.0, .r = start.position.reshaped(), .v = start.velocity.reshaped()} {
+    std::iota(number.begin(), number.end(), 0);
+  }
+  swarm::Loss take_out(Eigen::Index k, std::size_t obstacle) {
+    const swarm::Loss loss{.member = number[static_cast<std::size_t>(k)],
+                           .obstacle = obstacle,
+                           .t = state.t,
+                           .place = schemes::position(state, k),
+                           .velocity = schemes::velocity(state, k)};
+    number.erase(number.begin() + k);
+    for (Eigen::VectorXd* x : {&state.r, &state.v}) {
+      std::vector<double> all(x->begin(), x->end());
+      for (Eigen::Index axis = 2; axis >= 0; --axis) all.erase(all.begin() + axis * x->size() / 3 + k);
+      *x = Eigen::Map<const Eigen::VectorXd>(all.data(), static_cast<Eigen::Index>(all.size()));
+    }
+    return loss;
+  }
+};
+
+// How far a member is from the surface of the nearest obstacle, and which that is.
+std::pair<double, std::size_t> surface_near(const swarm::Course& course, const Eigen::Vector3d& place) {
+  std::pair<double, std::size_t> nearest{infinite, 0};
+  for (std::size_t k = 0; k < course.radii.size(); ++k) {
+    nearest = std::min(nearest, {(place - course.obstacles[k]).norm() - course.radii[k], k});
+  }
+  return nearest;
+}
+
+// What those who fly do to each other is counted by the mass of all who started.
+template <class... Cap>
+auto scene_of_few(const Few& few, const kinematics::Particles& start, const swarm::Course& course, const Cap&... cap) {
+  return scenes::Scene(chosen(start, few.number), kinematics::Space{}, members_law(careless, start.mass.sum()),
+                       obstacles_of(course, careless), target_of(course, careless),
+                       swarm::LinearDrag{.c_d = course.c_d}, cap...);
+}
+
+// The same swarm by CVODE: a root is where a member comes to the surface of an obstacle. There it is taken out.
 std::vector<swarm::Loss> losses_by_cvode(const kinematics::Particles& start, const swarm::Course& course) {
   std::vector<swarm::Loss> lost;
-  std::vector<Eigen::Index> flying(static_cast<std::size_t>(start.size()));
-  std::iota(flying.begin(), flying.end(), 0);
-  const laws::NearField among = members_law(careless, start.mass.sum());
-  schemes::State state{.t = 0.0, .r = start.position.reshaped(), .v = start.velocity.reshaped()};
-  while (state.t < course.duration) {
-    const scenes::Scene scene(chosen(start, flying), kinematics::Space{}, among, obstacles_of(course, careless),
-                              target_of(course, careless), swarm::LinearDrag{.c_d = course.c_d});
-    const auto distance = [&](const schemes::State& at, Eigen::Index i, std::size_t k) {
-      return (schemes::position(at, i) - course.obstacles[k]).norm() - course.radii[k];
-    };
+  Few few(start);
+  while (few.state.t < course.duration) {
+    const Gliding flight{scene_of_few(few, start, course), course.v_max};
     schemes::Events events;
-    for (Eigen::Index i = 0; i < scene.particles().size(); ++i) {
-      events.push_back({.function = [&, i](const schemes::State& at) {
-        double nearest = distance(at, i, 0);
-        for (std::size_t k = 1; k < course.radii.size(); ++k) nearest = std::min(nearest, distance(at, i, k));
-        return nearest;
+    for (Eigen::Index i = 0; i < flight.scene.particles().size(); ++i) {
+      events.push_back({.function = [&course, i](const schemes::State& at) {
+        return surface_near(course, schemes::position(at, i)).first;
       }});
     }
-    reference::Integrator integrator(scene, state, reference::Adams{.relative = 1e-12, .absolute = 1e-12}, events);
-    if (integrator.advance(state, course.duration).status != schemes::Status::stopped) break;
-    const Eigen::Index hit = static_cast<Eigen::Index>(integrator.hits().front().event);
-    std::size_t obstacle = 0;
-    while (distance(state, hit, obstacle) > 1e-9) ++obstacle;
-    lost.push_back({.member = flying[static_cast<std::size_t>(hit)],
-                    .obstacle = obstacle,
-                    .t = state.t,
-                    .place = schemes::position(state, hit),
-                    .velocity = schemes::velocity(state, hit)});
-    std::vector<Eigen::Index> stay;
-    for (Eigen::Index i = 0; i < scene.particles().size(); ++i) {
-      if (i != hit) stay.push_back(i);
-    }
-    const kinematics::Vectors r = schemes::positions(state)(stay, Eigen::all),
-                              v = schemes::velocities(state)(stay, Eigen::all);
-    state.r = r.reshaped(), state.v = v.reshaped();
-    flying.erase(flying.begin() + hit);
+    reference::Integrator integrator(flight, few.state, reference::Adams{.relative = 1e-12, .absolute = 1e-12}, events);
+    if (integrator.advance(few.state, course.duration).status != schemes::Status::stopped) break;
+    const auto hit = static_cast<Eigen::Index>(integrator.hits().front().event);
+    lost.push_back(few.take_out(hit, surface_near(course, schemes::position(few.state, hit)).second));
   }
   return by_number(lost);
 }
@@ -116,6 +136,32 @@ Delay delay_of(const std::vector<swarm::Loss>& lost, const std::vector<swarm::Lo
   return mean;
 }
 
+void compare_losses(Rows& rows, const std::string& limit, const swarm::Course& course) {
+  const kinematics::Particles start = swarm_at_rest(32, 1);
+  const std::vector<swarm::Loss> exact = losses_by_cvode(start, course);
+  rows.at_least(limit + ": lost by CVODE",
+                {.limit = 10.0, .computed = static_cast<double>(exact.size()), .because = "fewer would say little"});
+  std::vector<double> steps, times, places;
+  for (double step = 0.02; steps.size() < 6; step *= 0.5) {
+    const std::vector<swarm::Loss> lost = losses_at(start, course, step);
+    if (step > 0.002) {
+      rows.equal(fmt::format("{}, Dt = {}: who is lost, in which obstacle", limit, step),
+                 {.expected = names_of(exact),
+                  .computed = names_of(lost),
+                  .because = "a step of a decimetre at most, in obstacles of half a metre"});
+    }
+    if (step > 0.005) continue;
+    steps.push_back(step);
+    times.push_back(delay_of(lost, exact).time);
+    places.push_back(delay_of(lost, exact).place);
+  }
+  const char* because = "the path is of order 1, and the end of the step comes up to Dt late; mean of all losses";
+  rows.order(limit + ": times [s]",
+             {.nominal = 1.0, .steps = steps, .errors = times, .floor = 1e-8, .because = because});
+  rows.order(limit + ": places [m]",
+             {.nominal = 1.0, .steps = steps, .errors = places, .floor = 1e-8, .because = because});
+}
+
 const Case converge{
     {.name = "losses_converge",
      .claim = "no loss is missed: the same members are lost in the same obstacles as by CVODE, which stops at their "
@@ -123,46 +169,19 @@ const Case converge{
      .equation = "R 6.2",
      .reference = Reference::sundials},
     [](Rows& rows) {
-      const kinematics::Particles start = swarm_at_rest(32, 1);
-      const swarm::Course course = short_course();
-      const std::vector<swarm::Loss> exact = losses_by_cvode(start, course);
-      rows.at_least(
-          "lost by CVODE",
-          {.limit = 10.0, .computed = static_cast<double>(exact.size()), .because = "fewer would say little"});
-      std::vector<double> steps, times, places;
-      for (double step = 0.02; steps.size() < 6; step *= 0.5) {
-        const std::vector<swarm::Loss> lost = losses_at(start, course, step);
-        if (steps.size() < 2) {
-          rows.equal(fmt::format("Dt = {}: who is lost, in which obstacle", step),
-                     {.expected = names_of(exact),
-                      .computed = names_of(lost),
-                      .because = "a step of 5 cm at most in obstacles of half a metre"});
-        }
-        if (step > 0.005) continue;
-        steps.push_back(step);
-        times.push_back(delay_of(lost, exact).time);
-        places.push_back(delay_of(lost, exact).place);
-      }
-      const char* because = "the path is of order 1, and the end of the step comes up to Dt late; mean of all losses";
-      rows.order("times [s]", {.nominal = 1.0, .steps = steps, .errors = times, .floor = 1e-8, .because = because});
-      rows.order("places [m]", {.nominal = 1.0, .steps = steps, .errors = places, .floor = 1e-8, .because = because});
+      compare_losses(rows, "without limit", short_course(infinite));
+      compare_losses(rows, "speed limit", short_course(3.0));
     }};
 
 // A flight by hand: a run of those who still fly, that its observer ends where someone is inside an obstacle.
 swarm::Flight flown_by_hand(const kinematics::Particles& start, const swarm::Course& course) {
+  Few few(start);
   swarm::Flight flight;
-  std::vector<Eigen::Index> flying(static_cast<std::size_t>(start.size()));
-  std::iota(flying.begin(), flying.end(), 0);
-  flight.state = {.t = 0.0, .r = start.position.reshaped(), .v = start.velocity.reshaped()};
-  schemes::State state = flight.state;
-  while (state.t < course.duration && !flying.empty()) {
-    const scenes::Scene scene(chosen(start, flying), kinematics::Space{}, members_law(careless, start.mass.sum()),
-                              obstacles_of(course, careless), target_of(course, careless),
-                              swarm::LinearDrag{.c_d = course.c_d}, swarm::SpeedLimit{.v_max = course.v_max});
+  flight.state = few.state;
+  while (few.state.t < course.duration && !few.number.empty()) {
+    const auto scene = scene_of_few(few, start, course, swarm::SpeedLimit{.v_max = course.v_max});
     const auto inside = [&](const schemes::State& at, Eigen::Index i) {
-      return std::any_of(course.obstacles.begin(), course.obstacles.end(), [&](const Eigen::Vector3d& centre) {
-        return (schemes::position(at, i) - centre).norm() < 0.5;
-      });
+      return surface_near(course, schemes::position(at, i)).first < 0.0;
     };
     const auto nobody_is_lost = [&](const schemes::State&, const schemes::State& to, double, const auto&) {
       for (Eigen::Index i = 0; i < scene.particles().size(); ++i) {
@@ -170,24 +189,17 @@ swarm::Flight flown_by_hand(const kinematics::Particles& start, const swarm::Cou
       }
       return true;
     };
-    schemes::SymplecticEuler scheme;
-    schemes::FixedStep control{.step = course.step};
-    (void)schemes::integrate(scene, state, course.duration, scheme, control, nobody_is_lost);
-    std::vector<Eigen::Index> stay, numbers;
-    for (Eigen::Index i = 0; i < scene.particles().size(); ++i) {
-      const Eigen::Index member = flying[static_cast<std::size_t>(i)];
-      const bool lost = inside(state, i);
-      schemes::set_position(flight.state, member, schemes::position(state, i));
-      schemes::set_velocity(flight.state, member,
-                            lost ? Eigen::Vector3d::Zero() : Eigen::Vector3d(schemes::velocity(state, i)));
-      if (lost) flight.lost.push_back({.member = member, .obstacle = 0, .t = state.t, .place = {}, .velocity = {}});
-      if (!lost) stay.push_back(i), numbers.push_back(member);
+    (void)schemes::integrate(scene, few.state, course.duration, schemes::SymplecticEuler{},
+                             schemes::FixedStep{.step = course.step}, nobody_is_lost);
+    for (Eigen::Index i = scene.particles().size() - 1; i >= 0; --i) {
+      const Eigen::Index member = few.number[static_cast<std::size_t>(i)];
+      const bool lost = inside(few.state, i);
+      schemes::set_position(flight.state, member, schemes::position(few.state, i));
+      schemes::set_velocity(flight.state, member, lost ? Eigen::Vector3d::Zero() : schemes::velocity(few.state, i));
+      if (lost) flight.lost.push_back(few.take_out(i, 0));
     }
-    const kinematics::Vectors r = schemes::positions(state)(stay, Eigen::all),
-                              v = schemes::velocities(state)(stay, Eigen::all);
-    state.r = r.reshaped(), state.v = v.reshaped();
-    flying = numbers;
   }
+  flight.lost = by_number(flight.lost);
   return flight;
 }
 
@@ -203,7 +215,8 @@ const Case inactive{
       const swarm::Course course = short_course(3.0);
       const swarm::Trial trial = swarm::fly(careless, course, start);
       const swarm::Flight by_hand = flown_by_hand(start, course);
-      const auto& [outcome, state, lost] = trial.flight;
+      const schemes::State& state = trial.flight.state;
+      const std::vector<swarm::Loss> lost = by_number(trial.flight.lost);
       long other_members = 0, other_times = 0, moved = 0;
       for (std::size_t k = 0; k < std::min(lost.size(), by_hand.lost.size()); ++k) {
         other_members += lost[k].member != by_hand.lost[k].member;
@@ -231,7 +244,7 @@ const Case all_lost{
      .reference = Reference::closed_form},
     [](Rows& rows) {
       swarm::Course course = swarm::fence();
-      course.c_d = 0.0, course.v_max = std::numeric_limits<double>::infinity();
+      course.c_d = 0.0, course.v_max = infinite;
       course.duration = 4.0, course.step = 0x1p-5, course.loss_penalty = 0.75;
       kinematics::Particles start = kinematics::particles({{.position = {0.0, 0.0, 0.0}, .mass = 1.0, .radius = 0.0},
                                                            {.position = {3.0, 0.0, 0.0}, .mass = 1.0, .radius = 0.0}});

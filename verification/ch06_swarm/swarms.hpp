@@ -2,8 +2,8 @@
 
 #include <cstdint>
 #include <functional>
-#include <type_traits>
 #include <utility>
+#include <vector>
 
 #include <boost/random/mersenne_twister.hpp>
 #include <boost/random/uniform_01.hpp>
@@ -32,6 +32,13 @@ inline particulate::kinematics::Particles swarm_at_rest(Eigen::Index N, std::uin
   return swarm;
 }
 
+/// Unit masses at rest at given places.
+inline particulate::kinematics::Particles members(const std::vector<Eigen::Vector3d>& places) {
+  std::vector<particulate::kinematics::Particle> list;
+  for (const Eigen::Vector3d& place : places) list.push_back({.position = place, .mass = 1.0, .radius = 0.0});
+  return particulate::kinematics::particles(list);
+}
+
 /// A design by hand that passes the fence with all its members: for claims about how flights are computed, which hold
 /// of any design.
 inline constexpr particulate::swarm::Design passing{.alpha1 = 0.5,
@@ -43,7 +50,7 @@ inline constexpr particulate::swarm::Design passing{.alpha1 = 0.5,
                                                     .alpha_t = 2.0,
                                                     .beta_t = 0.3};
 
-/// What a design makes of a course, for swarms of a mass.
+/// What a design makes of a course.
 inline particulate::swarm::Obstacles obstacles_of(const particulate::swarm::Course& course,
                                                   const particulate::swarm::Design& design) {
   return {.centre = course.obstacles, .radius = course.radii, .alpha = design.alpha_o, .beta = design.beta_o};
@@ -65,6 +72,30 @@ auto scene_of(const particulate::kinematics::Particles& start, const particulate
 inline particulate::schemes::VectorsOf vectors_in(const particulate::schemes::In& x) {
   return {x.data(), x.size() / 3, 3};
 }
+
+/// What a speed limit tends to as steps shrink: of a member at the limit that is pulled on, the pull along its velocity
+/// is taken away. It is no jump, so that SUNDIALS can fly it.
+template <class Scene>
+struct Gliding {
+  Scene scene;
+  double v_max;  ///< [m/s]
+
+  static constexpr bool needs_velocity = true;
+  static constexpr int jumping_laws = 0;
+  bool acceleration(double t, particulate::schemes::In r, particulate::schemes::In v,
+                    particulate::schemes::Out a) const {
+    if (!scene.acceleration(t, r, v, a)) return false;
+    const particulate::schemes::VectorsOf velocity = vectors_in(v);
+    particulate::schemes::MutableVectorsOf pull(a.data(), velocity.rows(), 3);
+    for (Eigen::Index i = 0; i < pull.rows(); ++i) {
+      const double speed = velocity.row(i).norm(), along = pull.row(i).dot(velocity.row(i));
+      if (speed >= v_max * (1.0 - 1e-12) && along > 0.0) pull.row(i) -= along / (speed * speed) * velocity.row(i);
+    }
+    return true;
+  }
+};
+template <class Scene>
+Gliding(Scene, double) -> Gliding<Scene>;
 
 /// A scene with a value that rides along: its integral is found by whatever integrates the motion.
 template <class Scene>
