@@ -62,7 +62,7 @@ identification::Box design_bounds();
 
 /// Where a swarm flies, and how that is computed.
 struct Course {
-  std::vector<Eigen::Vector3d> obstacles = {};  ///< centres [m]
+  std::vector<Eigen::Vector3d> obstacles = {};  ///< centres; none: nobody is lost [m]
   std::vector<double> radii = {};               ///< of the obstacles [m]
   Eigen::Vector3d target = {10.0, 0.0, 0.0};    ///< [m]
   double c_d = 1.0;                             ///< of LinearDrag, >= 0 [1/s]

@@ -16,7 +16,8 @@ class Objective {
   /// @param target  r_t [m]
   /// @param start   the members
   /// @param domain  space
-  /// @throws std::invalid_argument for no member, and unless some member starts away from the target
+  /// @throws std::invalid_argument for particles that are none, for no member, and unless some member starts away
+  ///         from the target
   Objective(const Eigen::Vector3d& target, const kinematics::Particles& start, const kinematics::Space& domain = {});
 
   /// One step of a flight.
