@@ -173,6 +173,45 @@ const Case converge{
       compare_losses(rows, "speed limit", short_course(3.0));
     }};
 
+// Members a micrometre off the surface of every obstacle, at poles and elsewhere, that one step takes two micrometres
+// inwards, or outwards.
+long lost_at_surfaces(double speed) {
+  swarm::Course course = swarm::fence();
+  course.c_d = 0.0, course.duration = course.step;
+  Uniform uniform(5);
+  std::vector<kinematics::Particle> list;
+  std::vector<std::size_t> obstacle;
+  for (std::size_t k = 0; k < course.radii.size(); ++k) {
+    for (int n = 0; n < 30; ++n) {
+      Eigen::Vector3d normal = 2.0 * Eigen::Vector3d(uniform(), uniform(), uniform()).array() - 1.0;
+      if (n < 6) normal = (n % 2 ? 1.0 : -1.0) * Eigen::Vector3d::Unit(n / 2);
+      normal.normalize();
+      list.push_back({.position = course.obstacles[k] + (course.radii[k] + 1e-6) * normal,
+                      .velocity = speed * normal,
+                      .mass = 1.0,
+                      .radius = 0.0});
+      obstacle.push_back(k);
+    }
+  }
+  long right = 0;
+  for (const swarm::Loss& one : swarm::fly({}, course, kinematics::particles(list)).flight.lost) {
+    right += one.obstacle == obstacle[static_cast<std::size_t>(one.member)];
+  }
+  return right;
+}
+
+const Case surfaces{
+    {.name = "losses_at_every_surface",
+     .claim = "a member that comes into an obstacle from any side is lost there, one that leaves is not",
+     .equation = "R 6.2",
+     .reference = Reference::closed_form},
+    [](Rows& rows) {
+      const double speed = 2e-6 / swarm::Course{}.step;
+      rows.equal("lost of 270 that come in, each in its own obstacle",
+                 {.expected = 270, .computed = lost_at_surfaces(-speed), .because = "a step ends a micrometre inside"});
+      rows.none("lost of 270 that leave", lost_at_surfaces(speed), "no step ends inside");
+    }};
+
 // A flight by hand: a run of those who still fly, that its observer ends where someone is inside an obstacle.
 swarm::Flight flown_by_hand(const kinematics::Particles& start, const swarm::Course& course) {
   Few few(start);

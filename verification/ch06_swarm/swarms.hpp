@@ -5,9 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include <boost/random/mersenne_twister.hpp>
-#include <boost/random/uniform_01.hpp>
-
+#include <harness/uniform.hpp>
 #include <particulate/scenes/scene.hpp>
 #include <particulate/swarm/design.hpp>
 
@@ -19,16 +17,13 @@ namespace verification {
 
 /// Section 6.3's start: unit masses at rest, evenly distributed in the cube of half side 1 about (0, 0, -1).
 inline particulate::kinematics::Particles swarm_at_rest(Eigen::Index N, std::uint64_t seed) {
-  boost::random::mt19937_64 engine(seed);
-  boost::random::uniform_01<double> uniform;
+  Uniform uniform(seed);
   particulate::kinematics::Particles swarm{.position = particulate::kinematics::Vectors(N, 3),
                                            .velocity = particulate::kinematics::Vectors::Zero(N, 3),
                                            .mass = Eigen::VectorXd::Ones(N),
                                            .radius = Eigen::VectorXd::Zero(N)};
-  for (Eigen::Index i = 0; i < N; ++i) {
-    for (Eigen::Index axis = 0; axis < 3; ++axis) swarm.position(i, axis) = 2.0 * uniform(engine) - 1.0;
-    swarm.position(i, 2) -= 1.0;
-  }
+  for (double& x : swarm.position.reshaped<Eigen::RowMajor>()) x = 2.0 * uniform() - 1.0;
+  swarm.position.col(2).array() -= 1.0;
   return swarm;
 }
 

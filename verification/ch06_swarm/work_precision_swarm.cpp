@@ -173,7 +173,7 @@ const Case with_cap{
       for (const WorkPrecisionPoint& point : rows.points()) {
         if (point.method == "Gauss 2") errors.push_back(point.errors.value_or(Errors{missing, missing}).end);
       }
-      rows.order("Gauss 2: order fitted to the errors at the end, against steps",
+      rows.order("swarm_capped, Gauss 2: order fitted to the errors at the end, against steps",
                  {.nominal = 1.0,
                   .steps = steps,
                   .errors = errors,

@@ -148,7 +148,8 @@ const Obstacles* obstacles_of(const L& law) {
 /// @param control   the step control
 /// @param observer  as that of schemes::integrate(), of the whole swarm
 /// @param laws      of the scene; Obstacles, if there are any, at most once
-/// @return what became of it; its outcome says whether the end was reached
+/// @return what became of it; its outcome says whether the end was reached. Numbers in the reason of a failure are
+///         those among the members that still flew
 /// @throws std::invalid_argument for no member, a member that starts inside an obstacle, which it names, and as a scene
 ///         and schemes::integrate()
 template <class S, class C, class Observer, class... Laws>
