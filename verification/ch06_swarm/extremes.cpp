@@ -180,11 +180,11 @@ void refuse_designs(Rows& rows) {
       return ending_of(swarm::fly(design, swarm::fence(), swarm_at_rest(4, 1)).flight.outcome);
     });
   };
-  refuse("beta_o = 0", "obstacles beta positive got 0", [](swarm::Design& d) { d.beta_o = 0.0; });
-  refuse("beta_o = -1", "obstacles beta positive got -1", [](swarm::Design& d) { d.beta_o = -1.0; });
-  refuse("alpha_t = nan", "target alpha nan", [](swarm::Design& d) { d.alpha_t = not_a_number; });
+  refuse("beta_o = 0", "design beta_o positive got 0", [](swarm::Design& d) { d.beta_o = 0.0; });
+  refuse("beta_o = -1", "design beta_o positive got -1", [](swarm::Design& d) { d.beta_o = -1.0; });
+  refuse("alpha_t = nan", "design alpha_t nan", [](swarm::Design& d) { d.alpha_t = not_a_number; });
   refuse("alpha1 = nan", "alpha1 nan", [](swarm::Design& d) { d.alpha1 = not_a_number; });
-  refuse("beta_t = 2", "target beta between 0 and 1 got 2", [](swarm::Design& d) { d.beta_t = 2.0; });
+  refuse("beta_t = 2", "design beta_t between 0 and 1 got 2", [](swarm::Design& d) { d.beta_t = 2.0; });
   rows.must_be_refused("seven parameters", "8 parameters got 7", [] {
     (void)swarm::design_of(Eigen::VectorXd::Ones(7));
     return accepted();

@@ -311,7 +311,8 @@ class Scene {
       if constexpr (!contact::LocatesImpacts<L, D>) jump.travel = contact::travel(domain_, here, dt);
       return jump;
     } else {
-      Eigen::VectorXd after = state.v;
+      Eigen::VectorXd& after = scratch_.after;
+      after = state.v;
       schemes::Jump jump = detail::jump_of(law, domain_, here, dt, after);
       state.v = after;
       return jump;

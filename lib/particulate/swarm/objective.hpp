@@ -6,7 +6,7 @@
 
 namespace particulate::swarm {
 
-/// How far a swarm is from its target, on the average over members and time: an observer for fly().
+/// How far a swarm is from its target, on the average over members and time: an observer for fly(), of one flight.
 ///
 /// \f[ \Pi = \frac1T \int_0^T \frac{\sum_i d_i(t)}{\sum_i d_i(0)}\,dt, \qquad d_i = \|r_t - r_i\| \f]
 ///

@@ -15,8 +15,8 @@ namespace particulate::swarm {
 ///
 /// @equation{R 6.1} It pushes from their centres, wherever their surface is.
 struct Obstacles {
-  std::vector<Eigen::Vector3d> centre;       ///< o_k [m]
-  std::vector<double> radius;                ///< of each, >= 0 [m]
+  std::vector<Eigen::Vector3d> centre = {};  ///< o_k [m]
+  std::vector<double> radius = {};           ///< of each, >= 0 [m]
   double alpha = 1.0;                        ///< alpha_o, >= 0 [N m^beta_o/kg]
   double beta = 2.0;                         ///< beta_o, > 0 [-]
   double d_ref = 1.0;                        ///< distance from a centre at which its potential is zero, > 0 [m]
