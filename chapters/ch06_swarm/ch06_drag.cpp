@@ -55,7 +55,7 @@ void add_history(report::Table& history, const char* flight, const std::vector<M
 }
 
 //! The energy that was taken is counted by what a watcher sees, apart from the forces. That it is all that the swarm has
-//! lost is the check of this page.
+//! lost, but for what a step of first order errs by, is a check of this page.
 
 double off_the_books(const Tuned& tuned, const Course& course, const kinematics::Particles& start, const Seen& seen) {
   const schemes::State first{.r = start.position.reshaped(), .v = start.velocity.reshaped()};
@@ -67,8 +67,8 @@ double off_the_books(const Tuned& tuned, const Course& course, const kinematics:
 
 }  // namespace
 
-//! Designs are flown twice, as they are and without drag. To be fair to flights without drag, a quarter of the swarm is
-//! tuned for them anew.
+//! Designs are flown twice, as they are and without drag. To be fair to flights without drag, swarms of a quarter of the
+//! members are tuned for them anew.
 
 void drag(const Parameters& p, const std::vector<Tuned>& designs, report::Chapter& chapter, report::Checks& checks) {
   const Course course = course_of(p);
@@ -88,7 +88,7 @@ void drag(const Parameters& p, const std::vector<Tuned>& designs, report::Chapte
   }
   report::Progress progress("designs without drag", static_cast<double>(designs.size()));
   for (const Tuned& tuned : designs) {
-    const Tuned again = tune(p, without_drag(course), p.members / 4, 1, tuned.seed);
+    const Tuned again = tune(p, without_drag(course), tuned.members / 4, 1, tuned.seed);
     anew.push_back(watch(again.design, without_drag(course), starts_of(again.members, seed, 1).front()));
     add_flight(energies, "without, tuned so", again, anew.back());
     progress.at(static_cast<double>(anew.size()));
@@ -111,7 +111,41 @@ void drag(const Parameters& p, const std::vector<Tuned>& designs, report::Chapte
   checks.add("five times the median final distance, over that without drag",
              5.0 * spread_over(with, distance).median / spread_over(without, distance).median, 1.0);
   checks.add("energy that drag and cap took, off what the swarm lost, over it",
-             off_the_books(designs[shown], course, start, with[shown]), 0.05);
+             off_the_books(designs[shown], course, start, with[shown]), 2.5 * p.step);
 }
 
 }  // namespace ch06
+
+//! @section ch06_drag_results Only the cap takes
+//!
+//! @table{ch06_energies}
+//!
+//! With drag nothing is left. The cap has taken even more than the drag, all of it on the way: the pull of the target
+//! works against it from the start to the fence and beyond. In the second half of the time it took nothing.
+//!
+//! Without drag the cap takes nearly as much as both did before, but not all. Once nobody is faster than
+//! \f$ v_{max} \f$ it is idle, and what is left swings to and fro about the target, from the swarm as a whole to the
+//! members within it and back. Now and then one of them becomes too fast, and a little more is taken. So the swarm arrives
+//! and does not come to rest, and that is no fault of the design: tuned without drag it is not much better.
+//!
+//! @section ch06_drag_discussion Discussion
+//!
+//! What of this is the monograph's? Its section 6.4 was not at hand. Ours is this:
+//!
+//! - *Passing below is no decision.* The swarm starts below the level of the centre obstacle, which pushes it further
+//!   down; the lower one pushes it up. The gap between them does the bunching, more than the members' attraction.
+//! - *Homing in is dissipation.* How far from the target members stay in the end is then a matter of their mutual
+//!   repulsion, that is of a ball in equilibrium. An objective that asks for the mean over time hardly looks at it, so
+//!   that it differs from design to design.
+//! - *A cap is a strong law.* Here it takes more energy than the drag, by jumps, so that the path depends on the step at
+//!   first order, whatever the scheme. A limit that grows with the speed would be smooth.
+//! - *Few members tell of many, up to losses.* Everything in the table of sizes can be learnt from a small swarm, but for
+//!   who is lost: that is decided by the outermost member, and more members have others.
+//!
+//! @section ch06_drag_exercises Exercises
+//!
+//! 1. How much energy must be taken until the swarm is at rest at its target? Find it in the table, and from
+//!    \f$ \alpha_t\, d^{\beta_t + 1} / (\beta_t + 1) \f$ by hand.
+//! 2. Take `--c_d 0.8` and 1.2. Which of overshoot and undershoot follows, and by how much?
+//! 3. Two members, no obstacles: at which distance from the target do they come to rest? Then for many: why is that
+//!    distance nearly the same for 32 and for 128?

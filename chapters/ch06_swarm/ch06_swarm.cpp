@@ -22,7 +22,7 @@
 //! build/release/bin/ch06_swarm --out ch06 --threads 2
 //! @endverbatim
 //!
-//! On two threads that takes some one and a half minutes, with `--quick` some ten seconds.
+//! On two threads that takes some one and a half minutes, with `--quick` some twenty seconds.
 //!
 //! @section ch06_model Members, obstacles, a target
 //!
@@ -154,8 +154,8 @@ int main(int argc, char** argv) {
 //!
 //! @section ch06_exercises Exercises
 //!
-//! 1. Show that on a line through two obstacles of the fence a member between them feels no force along it. What pushes
-//!    the swarm down, and not up or aside?
+//! 1. Midway between two obstacles of the fence, what force of these two does a member feel? What pushes the swarm down,
+//!    and not up or aside?
 //! 2. Start the swarm about \f$ (0, 0, 0) \f$: change the corner in `start_of`. Which way does it choose, and does every
 //!    seed choose the same?
 //! 3. Take the sum over members without \f$ 1/N \f$, and try a design for 32 on 128 members.

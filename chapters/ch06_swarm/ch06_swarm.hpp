@@ -40,7 +40,7 @@ struct Parameters {
   int& S = line.field(20, {"strings", "of the genetic algorithm, S", "-", between(20, 24), "R 5.1"});
   int& K = line.field(6, {"parents", "that it keeps, K, even", "-", between(4, 8), "R 5.1"});
   int& generations =
-      line.field(30, {"generations", "of a search, two thirds with --quick", "-", between(30, 36), ours});
+      line.field(30, {"generations", "of a search, three fifths with --quick", "-", between(30, 36), ours});
   double& c_d = line.field(1.0, {"c_d", "drag per unit mass", "1/s", between(0.8, 1.2), ours});
   double& v_max = line.field(3.0, {"v_max", "the largest speed", "m/s", between(2.5, 3.5), ours});
   double& duration = line.field(15.0, {"duration", "of a flight, T", "s", between(14.0, 18.0), ours});
