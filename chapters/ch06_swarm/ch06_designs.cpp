@@ -20,8 +20,6 @@
 
 #include <algorithm>
 
-#include <fmt/format.h>
-
 #include <particulate/report/progress.hpp>
 
 #include "ch06_swarm.hpp"
@@ -119,21 +117,17 @@ double straight_flight(const Course& course, const kinematics::Particles& start)
 void write_costs(const Parameters& p, const std::vector<Tuned>& all, report::Chapter& chapter) {
   report::Table costs({"members", "flights for a design", "flights per second", "a generation [s]", "a design [s]"});
   for (const int members : sizes_of(p)) {
-    double flights = 0.0, seconds = 0.0, generations = 0.0, designs = 0.0;
-    for (const Tuned& tuned : of_size(all, members)) {
-      flights += static_cast<double>(tuned.evaluations);
-      seconds += tuned.seconds;
-      generations += static_cast<double>(tuned.best.size());
-      ++designs;
-    }
-    costs.add({members, flights / designs, flights / seconds, seconds / generations, seconds / designs});
+    const std::vector<Tuned> designs = of_size(all, members);
+    const double seconds = spread_over(designs, &Tuned::seconds).median;
+    const auto flights = static_cast<double>(designs.front().evaluations);
+    const auto generations = static_cast<double>(designs.front().best.size());
+    costs.add({members, flights, flights / seconds, seconds / generations, seconds});
     if (members != sizes_of(p).back()) continue;
     chapter.summary().add({"cost of a straight flight at the largest speed",
                            straight_flight(course_of(p), starts_of(members, chapter.common().seed, 1).front())});
-    chapter.summary().add({"cost of a design, median",
-                           spread_over(of_size(all, members), [](const Tuned& tuned) { return tuned.cost; }).median});
-    chapter.summary().add({fmt::format("flights for a design of {} members", members), flights / designs});
-    chapter.summary().add({"such flights per second", flights / seconds});
+    chapter.summary().add({"cost of a design, median", spread_over(designs, &Tuned::cost).median});
+    chapter.summary().add({"flights for a design", flights});
+    chapter.summary().add({"flights per second", flights / seconds});
     chapter.summary().add({"seconds for a generation", seconds / generations});
   }
   chapter.output().write("costs", costs);
@@ -147,18 +141,17 @@ void write_sizes(const Parameters& p, const std::vector<Tuned>& all, const repor
   for (const int members : sizes_of(p)) {
     const std::vector<Tuned> designs = of_size(all, members);
     const kinematics::Particles start = starts_of(members, p.line.common().seed, 1).front();
-    std::vector<Seen> seen;
+    std::vector<Captions> says;
     std::size_t lost = 0;
     for (const Tuned& tuned : designs) {
-      seen.push_back(watch(tuned.design, course_of(p), start));
-      lost += seen.back().trial.flight.lost.size();
+      const Seen seen = watch(tuned.design, course_of(p), start);
+      says.push_back(seen.captions);
+      lost += seen.trial.flight.lost.size();
     }
-    const auto median = [&](double Captions::*number) {
-      return spread_over(seen, [&](const Seen& one) { return one.captions.*number; }).median;
-    };
-    sizes.add({members, spread_over(designs, [](const Tuned& tuned) { return tuned.cost; }).median, lost,
-               median(&Captions::height), median(&Captions::bunched), median(&Captions::unpacked),
-               median(&Captions::overshoot), median(&Captions::undershoot), median(&Captions::distance)});
+    const auto median = [&](double Captions::*number) { return spread_over(says, number).median; };
+    sizes.add({members, spread_over(designs, &Tuned::cost).median, lost, median(&Captions::height),
+               median(&Captions::bunched), median(&Captions::unpacked), median(&Captions::overshoot),
+               median(&Captions::undershoot), median(&Captions::distance)});
   }
   output.write("sizes", sizes);
 }
@@ -189,8 +182,7 @@ void elsewhere(const Parameters& p, const std::vector<Tuned>& all, const report:
   const auto add = [&](const std::vector<Tuned>& designs, int members) {
     std::vector<Elsewhere> tried;
     for (const Tuned& tuned : designs) tried.push_back(try_elsewhere(p, tuned, members));
-    const Spread lost = spread_over(tried, [](const Elsewhere& one) { return one.lost; });
-    const Spread distance = spread_over(tried, [](const Elsewhere& one) { return one.distance; });
+    const Spread lost = spread_over(tried, &Elsewhere::lost), distance = spread_over(tried, &Elsewhere::distance);
     table.add({designs.front().members, designs.front().starts, designs.size(), members, lost.largest, lost.median,
                distance.median, distance.largest});
     return tried;
@@ -226,8 +218,8 @@ std::vector<Tuned> designs(const Parameters& p, report::Chapter& chapter, report
 //!
 //! @table{ch06_sizes}
 //!
-//! Costs hardly depend on the number of members, and medians of what the swarms do depend little on it: that is what
-//! the factor \f$ 1/N \f$ is for. What a design takes grows with the pairs (seconds by the number of threads given):
+//! Costs hardly depend on the number of members, and what the swarms do depends little on it: that is what the factor
+//! \f$ 1/N \f$ is for. What a design takes grows with the pairs:
 //!
 //! @table{ch06_costs}
 //!
@@ -252,9 +244,8 @@ std::vector<Tuned> designs(const Parameters& p, report::Chapter& chapter, report
 //!
 //! @section ch06_designs_exercises Exercises
 //!
-//! 1. Take `--generations 20` and 40. What do the last ten bring?
-//! 2. Why does the best string of a generation never get worse, while the best of six may be much worse than the best?
-//! 3. Take the penalty away: `course.loss_penalty = 0.0` in `course_of`. Does the algorithm give members up, and what
+//! 1. Why does the best string of a generation never get worse, while the best of six may be much worse than the best?
+//! 2. Take the penalty away: `course.loss_penalty = 0.0` in `course_of`. Does the algorithm give members up, and what
 //!    for?
-//! 4. Take `--seed 2` to 6, each of which has its own start. Which of the claims is the first to fail, and why is that
+//! 3. Take `--seed 2` to 6, each of which has its own start. Which of the claims is the first to fail, and why is that
 //!    no surprise?

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -104,7 +105,7 @@ struct Seen {
 
 Seen watch(const Design& design, const Course& course, const kinematics::Particles& start, const Watcher& also = {});
 
-//! Of several designs we give the median and the ends of a number.
+//! Of several designs we give the median and the ends of a number, with those that have none, NaN, at the end.
 
 struct Spread {
   double least, median, largest;
@@ -113,8 +114,9 @@ struct Spread {
 template <class T, class Number>
 Spread spread_over(const std::vector<T>& all, const Number& number) {
   std::vector<double> numbers;
-  for (const T& one : all) numbers.push_back(number(one));
-  std::sort(numbers.begin(), numbers.end());
+  for (const T& one : all) numbers.push_back(std::invoke(number, one));
+  std::sort(numbers.begin(), numbers.end(),
+            [](double a, double b) { return a < b || (std::isnan(b) && !std::isnan(a)); });
   return {numbers.front(), numbers[numbers.size() / 2], numbers.back()};
 }
 
