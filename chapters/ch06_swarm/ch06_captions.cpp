@@ -12,7 +12,7 @@
 //!
 //! @figure{ch06_overshoot, The same near the target (cross): the centre farthest beyond it\, and then farthest before it. Figure 6.5.}
 //!
-//! @figure{ch06_homing, Homing in: halfway between the undershoot and the end\, and at the end. Figure 6.6.}
+//! @figure{ch06_homing, Homing in: some time after the undershoot\, and at the end. Figure 6.6.}
 //!
 //! @section ch06_captions_program The program
 

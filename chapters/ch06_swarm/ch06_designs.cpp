@@ -30,15 +30,13 @@ namespace ch06 {
 
 Tuned tune(const Parameters& p, const Course& course, int members, int starts, std::uint64_t seed) {
   const report::Common& common = p.line.common();
-  Course flown = course;
-  if (common.quick) flown.step *= 2.0;
   const identification::Box box = design_bounds();
   const identification::GeneticAlgorithm algorithm = algorithm_of(p);
   identification::Population population = first_population(box, algorithm, seed);
   Tuned tuned{.members = members, .starts = starts, .seed = seed};
   const identification::Evolution ended =
-      evolve(objective(starts_of(members, common.seed, starts), flown), box, algorithm,
-             {.generations = common.quick ? 3 * p.generations / 5 : p.generations}, population,
+      evolve(objective(starts_of(members, common.seed, starts), course), box, algorithm,
+             {.generations = common.quick ? 2 * p.generations / 5 : p.generations}, population,
              [&](const identification::Population& now) {
                tuned.best.push_back(best_of(now).cost);
                tuned.mean.push_back(mean_of_best(now));
@@ -54,11 +52,11 @@ Tuned tune(const Parameters& p, const Course& course, int members, int starts, s
 namespace {
 
 //! Sizes are the whole swarm and its half, quarter, eighth and sixteenth; a quick run leaves out the whole and the
-//! smallest. Every size gets the same seeds of the algorithm. Flights take longer the more members there are, by and
+//! quarter. Every size gets the same seeds of the algorithm. Flights take longer the more members there are, by and
 //! large by their pairs.
 
 std::vector<int> sizes_of(const Parameters& p) {
-  if (p.line.common().quick) return {p.members / 8, p.members / 4, p.members / 2};
+  if (p.line.common().quick) return {p.members / 16, p.members / 8, p.members / 2};
   return {p.members / 16, p.members / 8, p.members / 4, p.members / 2, p.members};
 }
 
@@ -164,11 +162,13 @@ struct Elsewhere {
 };
 
 Elsewhere try_elsewhere(const Parameters& p, const Tuned& tuned, int members) {
-  const std::uint64_t first = p.line.common().seed + static_cast<std::uint64_t>(p.starts);
+  const report::Common& common = p.line.common();
+  const int flights = common.quick ? p.others / 2 : p.others;
   Elsewhere tried{0.0, 0.0};
-  for (const kinematics::Particles& start : starts_of(members, first, p.others)) {
+  for (const kinematics::Particles& start :
+       starts_of(members, common.seed + static_cast<std::uint64_t>(p.starts), flights)) {
     const Seen seen = watch(tuned.design, course_of(p), start);
-    tried.lost += static_cast<double>(seen.trial.flight.lost.size()) / (members * p.others);
+    tried.lost += static_cast<double>(seen.trial.flight.lost.size()) / (members * flights);
     tried.distance = std::max(tried.distance, seen.captions.distance);
   }
   return tried;

@@ -111,7 +111,7 @@ void drag(const Parameters& p, const std::vector<Tuned>& designs, report::Chapte
   checks.add("five times the median final distance, over that without drag",
              5.0 * spread_over(with, distance).median / spread_over(without, distance).median, 1.0);
   checks.add("energy that drag and cap took, off what the swarm lost, over it",
-             off_the_books(designs[shown], course, start, with[shown]), 2.5 * p.step);
+             off_the_books(designs[shown], course, start, with[shown]), 5.0 * p.step);
 }
 
 }  // namespace ch06

@@ -37,16 +37,16 @@ struct Parameters {
                                   "-", between(96, 160), "6.3"});
   int& seeds = line.field(5, {"seeds", "of the algorithm for each size of swarm", "-", between(5, 6), ours});
   int& starts = line.field(3, {"starts", "that one design is averaged over", "-", between(2, 4), ours});
-  int& others = line.field(10, {"others", "starts that a design is flown from besides", "-", between(5, 12), ours});
+  int& others = line.field(
+      10, {"others", "starts that a design is flown from besides, half with --quick", "-", between(5, 12), ours});
   int& S = line.field(20, {"strings", "of the genetic algorithm, S", "-", between(20, 24), "R 5.1"});
   int& K = line.field(6, {"parents", "that it keeps, K, even", "-", between(4, 8), "R 5.1"});
   int& generations =
-      line.field(30, {"generations", "of a search, three fifths with --quick", "-", between(30, 36), ours});
+      line.field(30, {"generations", "of a search, two fifths with --quick", "-", between(30, 36), ours});
   double& c_d = line.field(1.0, {"c_d", "drag per unit mass", "1/s", between(0.8, 1.2), ours});
   double& v_max = line.field(3.0, {"v_max", "the largest speed", "m/s", between(2.5, 3.5), ours});
   double& duration = line.field(15.0, {"duration", "of a flight, T", "s", between(14.0, 18.0), ours});
-  double& step = line.field(
-      0.02, {"step", "of a flight, Dt; of those of a search twice that with --quick", "s", between(0.01, 0.025), ours});
+  double& step = line.field(0.02, {"step", "of a flight, Dt", "s", between(0.01, 0.025), ours});
 };
 
 //! What no algorithm can be made of, such as an odd number of parents, is refused before anything is written:

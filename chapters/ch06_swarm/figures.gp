@@ -70,17 +70,17 @@ plot file('course') skip 1 using (obstacle(2)):4:5 with circles fc rgb grey fs s
 
 # Figure 6.2: from the side, and along x.
 set output 'ch06_start.svg'
-set terminal svg size 640,330 dynamic enhanced font 'sans-serif,16' background '#ffffff' rounded
+set terminal svg size 640,260 dynamic enhanced font 'sans-serif,16' background '#ffffff' rounded
 unset key
 set multiplot
-set lmargin at screen 0.08
-set rmargin at screen 0.66
-set bmargin at screen 0.2
+set lmargin at screen 0.1
+set rmargin at screen 0.67
+set bmargin at screen 0.31
 set tmargin at screen 0.95
 plot file('course') skip 1 using (obstacle(2)):4:5 with circles fc rgb grey fs solid noborder, \
      file('panels') skip 1 using (panel(0, 2)):4 with points lt 1 ps 0.35, \
      file('course') skip 1 using (target(2)):4 with points pt 2 ps 1.4 lw 2.5 lc rgb 'black'
-set lmargin at screen 0.71
+set lmargin at screen 0.72
 set rmargin at screen 0.99
 set xrange [2.9:-2.9]
 set xlabel 'y [m]'
@@ -110,10 +110,10 @@ do for [k = 1:3] {
 unset multiplot
 
 # Figures 6.5 and 6.6: near the target, two moments side by side.
-set terminal svg size 640,300 dynamic enhanced font 'sans-serif,16' background '#ffffff' rounded
+set terminal svg size 640,330 dynamic enhanced font 'sans-serif,16' background '#ffffff' rounded
 set format '%g'
 set tmargin at screen 0.96
-set bmargin at screen 0.2
+set bmargin at screen 0.25
 set xlabel 'x [m]'
 set xrange [8.2:12]
 set yrange [-1.6:1.6]
@@ -143,10 +143,8 @@ set autoscale
 # Figure 6.3: best and mean cost by generation.
 set output 'ch06_generations.svg'
 set terminal svg size 640,460 dynamic enhanced font 'sans-serif,16' background '#ffffff' rounded
-stats file('generations') skip 1 using 1 name 'largest' nooutput
-stats file('generations') skip 1 using 1:(column(2) == 1 ? 1 : NaN) name 'sizes' nooutput
-size(k) = largest_max/2**(sizes_records - k)
-of(k, c) = column(1) == size(k) ? column(c) : NaN
+sizes = system("tail -n +2 '".file('generations')."' | cut -d, -f1 | uniq")
+of(k, c) = column(1) == word(sizes, k) + 0 ? column(c) : NaN
 set xlabel 'generation'
 set ylabel 'cost'
 set xrange [1:*] noextend
@@ -155,9 +153,9 @@ set xtics autofreq
 set ytics autofreq
 set key default
 set key inside top right reverse Left samplen 2 spacing 1.15 nobox
-plot for [k = 1:sizes_records] file('generations') skip 1 using (of(k, 2)):3:5 with filledcurves lt k fs transparent solid 0.12 notitle, \
-     for [k = 1:sizes_records] file('generations') skip 1 using (of(k, 2)):4 with lines lt k dt 1 title sprintf('%d members', size(k)), \
-     for [k = 1:sizes_records] file('generations') skip 1 using (of(k, 2)):6 with lines lt k dt (5,4) lw 1.6 notitle
+plot for [k = 1:words(sizes)] file('generations') skip 1 using (of(k, 2)):3:5 with filledcurves lt k fs transparent solid 0.12 notitle, \
+     for [k = 1:words(sizes)] file('generations') skip 1 using (of(k, 2)):4 with lines lt k dt 1 title word(sizes, k).' members', \
+     for [k = 1:words(sizes)] file('generations') skip 1 using (of(k, 2)):6 with lines lt k dt (5,4) lw 1.6 notitle
 
 # With drag and without.
 set output 'ch06_drag_history.svg'
