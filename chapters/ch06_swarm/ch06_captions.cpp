@@ -114,8 +114,7 @@ void draw(const Design& design, const Course& course, const kinematics::Particle
 
 //! A claim is about the designs of all seeds, of which one in five may fail it.
 
-void captions(const Parameters& p, const std::vector<Tuned>& designs, report::Chapter& chapter,
-              report::Checks& checks) {
+void captions(const Parameters& p, const std::vector<Tuned>& designs, report::Chapter& chapter) {
   const Course course = course_of(p);
   const kinematics::Particles start = starts_of(p.members, chapter.common().seed, 1).front();
   report::Table table({"seed", "lost", "height at the fence [m]", "gyration at the start [m]", "least before [m]",
@@ -134,23 +133,30 @@ void captions(const Parameters& p, const std::vector<Tuned>& designs, report::Ch
   }
   chapter.output().write("captions", table);
   chapter.output().write("strings", strings);
-  const auto claim = [&](const char* fails, const std::function<bool(const Seen&, const Captions&)>& holds) {
-    const auto failed = std::count_if(all.begin(), all.end(), [&](const Seen& s) { return !holds(s, s.captions); });
-    checks.add(fails, static_cast<double>(failed), p.seeds / 5);
+  using Holds = std::function<bool(const Seen&, const Captions&)>;
+  const auto failed = [&](const Holds& holds) {
+    return static_cast<double>(
+        std::count_if(all.begin(), all.end(), [&](const Seen& s) { return !holds(s, s.captions); }));
   };
-  claim("designs that lose a member", [](const Seen& s, const Captions&) { return s.trial.flight.lost.empty(); });
+  const auto claim = [&](const char* fails, const Holds& holds) {
+    chapter.claims("checks").add(fails, failed(holds), p.seeds / 5);
+  };
+  const auto claim_own = [&](const char* fails, const Holds& holds) {
+    claim_of_own(p, chapter, fails, failed(holds), p.seeds / 5);
+  };
+  claim_own("designs that lose a member", [](const Seen& s, const Captions&) { return s.trial.flight.lost.empty(); });
   claim("designs whose centre does not pass below the centre obstacle, z = -0.5",
         [](const Seen&, const Captions& c) { return c.height < -0.5; });
-  claim("designs that do not bunch to 0.7 of the gyration at the start",
-        [](const Seen& s, const Captions& c) { return c.bunched <= 0.7 * s.moments.front().gyration; });
-  claim("designs that do not unpack to 1.3 times the least gyration",
-        [](const Seen&, const Captions& c) { return c.unpacked >= 1.3 * c.bunched; });
+  claim_own("designs that do not bunch to 0.7 of the gyration at the start",
+            [](const Seen& s, const Captions& c) { return c.bunched <= 0.7 * s.moments.front().gyration; });
+  claim_own("designs that do not unpack to 1.3 times the least gyration",
+            [](const Seen&, const Captions& c) { return c.unpacked >= 1.3 * c.bunched; });
   claim("designs that do not overshoot by 0.2 to 1.2 m",
         [](const Seen&, const Captions& c) { return c.overshoot >= 0.2 && c.overshoot <= 1.2; });
   claim("designs that do not undershoot by 0.05 m",
         [](const Seen&, const Captions& c) { return c.undershoot >= 0.05; });
-  claim("designs whose members do not home in to 0.3 m",
-        [](const Seen&, const Captions& c) { return c.distance < 0.3; });
+  claim_own("designs whose members do not home in to 0.3 m",
+            [](const Seen&, const Captions& c) { return c.distance < 0.3; });
   const auto best = std::min_element(
       all.begin(), all.end(), [](const Seen& a, const Seen& b) { return a.trial.objective < b.trial.objective; });
   draw(designs[static_cast<std::size_t>(best - all.begin())].design, course, start, chapter.output());

@@ -12,7 +12,7 @@
 //! This is particulate::swarm::Objective with a penalty for the lost, our *reconstruction* of section 6.2 (@ref
 //! provenance "mark R 6.2"). A swarm that stays where it is has \f$ \Pi = 1 \f$. If all went straight to
 //! the target at the largest speed and stopped there, it would be \f$ \sum_i d_i(0)^2 / (2 v_{max} T \sum_i d_i(0)) \f$:
-//! no design can do better, and one that must go round an obstacle cannot do as well.
+//! one that must go round an obstacle cannot do as well.
 //!
 //! @figure{ch06_generations, Cost by generation of swarms of several sizes\, over all seeds of the algorithm: median of the best string (lines)\, its least and largest (shaded)\, median of the mean of the six best (dashed). Figure 6.3.}
 //!
@@ -174,8 +174,7 @@ Elsewhere try_elsewhere(const Parameters& p, const Tuned& tuned, int members) {
   return tried;
 }
 
-void elsewhere(const Parameters& p, const std::vector<Tuned>& all, const report::Output& output,
-               report::Checks& checks) {
+void elsewhere(const Parameters& p, const std::vector<Tuned>& all, report::Chapter& chapter) {
   report::Table table({"tuned on", "starts", "designs", "flown with", "largest share lost [-]", "median share lost [-]",
                        "median final distance [m]", "largest [m]"});
   const int large = sizes_of(p).back(), small = large / 4;
@@ -192,19 +191,20 @@ void elsewhere(const Parameters& p, const std::vector<Tuned>& all, const report:
   add(of_size(all, large), small);
   const std::vector<Elsewhere> tried = add(of_size(all, large), p.members);
   add({all.back()}, p.members);
-  output.write("elsewhere", table);
+  chapter.output().write("elsewhere", table);
   const auto failed = std::count_if(tried.begin(), tried.end(), [](const auto& one) { return !(one.lost <= 0.01); });
-  checks.add("designs that lose more than 1 % from other starts", static_cast<double>(failed), p.seeds / 5);
+  claim_of_own(p, chapter, "designs that lose more than 1 % from other starts", static_cast<double>(failed),
+               p.seeds / 5);
 }
 
 }  // namespace
 
-std::vector<Tuned> designs(const Parameters& p, report::Chapter& chapter, report::Checks& checks) {
+std::vector<Tuned> designs(const Parameters& p, report::Chapter& chapter) {
   const std::vector<Tuned> all = tune_all(p);
   write_generations(p, all, chapter.output());
   write_costs(p, all, chapter);
   write_sizes(p, all, chapter.output());
-  elsewhere(p, all, chapter.output(), checks);
+  elsewhere(p, all, chapter);
   return of_size(all, sizes_of(p).back());
 }
 
@@ -212,14 +212,15 @@ std::vector<Tuned> designs(const Parameters& p, report::Chapter& chapter, report
 
 //! @section ch06_designs_results What comes of it
 //!
-//! A design is found soon. Of twenty strings drawn at random the best is no bad one, and after ten generations the six
-//! best have become alike; from then on the algorithm stands still, as it does in @ref ch05_search "chapter 5". What a
-//! straight flight would cost stands @ref ch06_results "among the results", and is not far.
+//! A design is found soon. Of the first strings, drawn at random, the best is no bad one, and some generations later the
+//! six best have become alike; from then on the algorithm stands almost still, as it does in @ref ch05_search
+//! "chapter 5". What a straight flight would cost stands @ref ch06_results "among the results", and is not far.
 //!
 //! @table{ch06_sizes}
 //!
-//! Costs hardly depend on the number of members, and what the swarms do depends little on it: that is what the factor
-//! \f$ 1/N \f$ is for. What a design takes grows with the pairs:
+//! The factor \f$ 1/N \f$ does what it is for: larger swarms agree in their cost and in what they do. Very few members
+//! are cheaper, as they need not unpack: a design relies on nobody being where a larger swarm has somebody. What a
+//! design takes grows with the pairs:
 //!
 //! @table{ch06_costs}
 //!
@@ -238,9 +239,9 @@ std::vector<Tuned> designs(const Parameters& p, report::Chapter& chapter, report
 //!
 //! @table{ch06_elsewhere}
 //!
-//! Lost are shares of all members of all flights of a design. A design that has never lost anybody at home may lose some
-//! elsewhere: of few members none may have come near an obstacle where one of many does. The mean over several starts
-//! helps, and is what we should take if we had to rely on a design.
+//! Lost are shares of all members of all flights of a design. One that has lost nobody at home may lose some elsewhere,
+//! the more the fewer members it was tuned on: those had gone where others cannot follow. The mean over several starts
+//! helps, even of few members, and is what we should take if we had to rely on a design.
 //!
 //! @section ch06_designs_exercises Exercises
 //!
