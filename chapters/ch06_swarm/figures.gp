@@ -191,7 +191,8 @@ set yrange [-2.7:2.7]
 set xtics 5
 set ytics 2
 unset xlabel
-set lmargin at screen 0.1
+set ylabel offset 1
+set lmargin at screen 0.13
 set rmargin at screen 0.98
 stats file('panels') skip 1 using (column(1) == 0 ? 1 : NaN) name 'members' nooutput
 frames = moment_records/members_records
