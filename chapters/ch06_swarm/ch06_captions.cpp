@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 
 #include "ch06_swarm.hpp"
 
@@ -178,7 +179,8 @@ void captions(const Parameters& p, const std::vector<Tuned>& designs, report::Ch
 //!
 //! What the captions tell is true of nearly every design, and of none is it asked: the objective knows neither bunching
 //! nor unpacking, and counts overshoot as it counts every distance. Single designs fail single claims, and from another
-//! start others do. So we let one design in five fail, and say how many did (@ref ch06_results "what held").
+//! start others do: with some seeds of the program two designs in five. So we let one in five fail, claim of the
+//! chapter's own start what depends on it, and say how many did (@ref ch06_results "what held").
 //!
 //! @section ch06_captions_exercises Exercises
 //!

@@ -19,6 +19,7 @@
 //! @section ch06_designs_program The program
 
 #include <algorithm>
+#include <iterator>
 
 #include <particulate/report/progress.hpp>
 
@@ -82,8 +83,7 @@ std::vector<Tuned> tune_all(const Parameters& p) {
   return all;
 }
 
-//! Those of one size, from a single start:
-
+// From a single start.
 std::vector<Tuned> of_size(const std::vector<Tuned>& all, int members) {
   std::vector<Tuned> some;
   std::copy_if(all.begin(), all.end(), std::back_inserter(some),
@@ -219,7 +219,7 @@ std::vector<Tuned> designs(const Parameters& p, report::Chapter& chapter) {
 //! @table{ch06_sizes}
 //!
 //! The factor \f$ 1/N \f$ does what it is for: larger swarms agree in their cost and in what they do. Very few members
-//! are cheaper, as they need not unpack: a design relies on nobody being where a larger swarm has somebody. What a
+//! are cheaper and hardly unpack: a design relies on nobody being where a larger swarm has somebody. What a
 //! design takes grows with the pairs:
 //!
 //! @table{ch06_costs}
@@ -245,8 +245,6 @@ std::vector<Tuned> designs(const Parameters& p, report::Chapter& chapter) {
 //!
 //! @section ch06_designs_exercises Exercises
 //!
-//! 1. Why does the best string of a generation never get worse, while the best of six may be much worse than the best?
-//! 2. Take the penalty away: `course.loss_penalty = 0.0` in `course_of`. Does the algorithm give members up, and what
+//! 1. Take the penalty away: `course.loss_penalty = 0.0` in `course_of`. Does the algorithm give members up, and what
 //!    for?
-//! 3. Take `--seed 2` to 6, each of which has its own start. Which of the claims is the first to fail, and why is that
-//!    no surprise?
+//! 2. Take `--seed 2` to 6, each with a start of its own. What of the captions fails first?

@@ -13,7 +13,6 @@
 //! @section ch06_drag_program The program
 
 #include <algorithm>
-#include <cmath>
 
 #include <particulate/report/progress.hpp>
 #include <particulate/scenes/scene.hpp>
