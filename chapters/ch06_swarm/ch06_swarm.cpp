@@ -160,6 +160,18 @@ int main(int argc, char** argv) {
                              laws::name(laws::best_kernel()), ch06::run);
 }
 
+//! @section ch06_cost What a flight costs
+//!
+//! Nearly all of it are the sums over pairs and obstacles, which the near field's kernels form
+//! (@ref verify_ch06_flight_over_its_sums "the rows"):
+//!
+//! @table{ch06_flight_over_its_sums}
+//!
+//! What a swarm leaves out costs nothing, and what it has but does not use hardly anything. Instructions counted with 64
+//! members, where 2016 pairs take most (@ref verify_ch06_swarm_cost "the rows"):
+//!
+//! @table{ch06_swarm_cost}
+//!
 //! @section ch06_results What held
 //!
 //! @table{ch06_checks}
