@@ -22,7 +22,7 @@
 //! build/release/bin/ch06_swarm --out ch06 --threads 2
 //! @endverbatim
 //!
-//! On two threads that takes some one and a half minutes, with `--quick` some twenty seconds.
+//! On two threads that takes a minute or two, with `--quick` some twenty seconds.
 //!
 //! @section ch06_model Members, obstacles, a target
 //!
