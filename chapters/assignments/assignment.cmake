@@ -17,6 +17,8 @@ set(assignment_topics_ch04 kinematics)
 set(assignment_sources_ch04 kinematics/cells kinematics/domain)
 set(assignment_topics_ch05 identification)
 set(assignment_sources_ch05 identification/mating)
+set(assignment_topics_ch06 swarm)
+set(assignment_sources_ch06 kinematics/particles schemes/state swarm/objective)
 
 # assignment_library(<chNN> <variable>): the targets that hold what the check compares with. In the project's own build
 # they are the topics; alone, a library of the few sources that are needed, which compiles in seconds.

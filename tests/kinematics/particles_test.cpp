@@ -118,6 +118,32 @@ BOOST_AUTO_TEST_CASE(wants_a_mass_of_what_is_immovable_too) {
 
 BOOST_AUTO_TEST_SUITE_END()
 
+BOOST_AUTO_TEST_SUITE(chosen_)
+
+BOOST_AUTO_TEST_CASE(are_those_named_in_the_order_in_which_they_are) {
+  Particles all = two_particles();
+  all.immovable = {true, false};
+  const Particles turned = chosen(all, {1, 0, 1});
+  BOOST_TEST(close(turned.position, Vectors{{4.0, 6.0, 8.0}, {1.0, 2.0, 3.0}, {4.0, 6.0, 8.0}}, {}));
+  BOOST_TEST(close(turned.velocity, Vectors{{0.25, 1.0, 0.5}, {0.0, -1.0, 0.5}, {0.25, 1.0, 0.5}}, {}));
+  BOOST_TEST(close(turned.mass, Eigen::Vector3d(2.0, 1.0, 2.0), {}));
+  BOOST_TEST(close(turned.radius, Eigen::Vector3d(0.5, 0.0, 0.5), {}));
+  BOOST_TEST((turned.immovable == std::vector<bool>{false, true, false}));
+}
+
+BOOST_AUTO_TEST_CASE(may_be_none_and_are_flagged_only_where_all_are) {
+  BOOST_TEST(chosen(two_particles(), {}).size() == 0);
+  BOOST_CHECK_NO_THROW(validate(chosen(two_particles(), {})));
+  BOOST_TEST(chosen(two_particles(), {1}).immovable.empty());
+}
+
+BOOST_AUTO_TEST_CASE(are_refused_where_one_is_not_there) {
+  CHECK_REFUSED(chosen(two_particles(), {0, 2}), "there is no particle 2 among 2: choose others");
+  CHECK_REFUSED(chosen(two_particles(), {-1}), "there is no particle -1 among 2");
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
 BOOST_AUTO_TEST_SUITE(inverse_masses_)
 
 BOOST_AUTO_TEST_CASE(vanish_for_what_is_immovable) {

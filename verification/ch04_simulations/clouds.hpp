@@ -4,9 +4,7 @@
 #include <cstdint>
 #include <numbers>
 
-#include <boost/random/mersenne_twister.hpp>
-#include <boost/random/uniform_01.hpp>
-
+#include <harness/uniform.hpp>
 #include <particulate/kinematics/starts.hpp>
 #include <particulate/laws/near_field.hpp>
 
@@ -14,17 +12,6 @@
 /// The clouds of chapter 4, and random places.
 
 namespace verification {
-
-/// Numbers evenly distributed in [0, 1), the same everywhere.
-class Uniform {
- public:
-  explicit Uniform(std::uint64_t seed) : engine_(seed) {}
-  double operator()() { return uniform_(engine_); }
-
- private:
-  boost::random::mt19937_64 engine_;
-  boost::random::uniform_01<double> uniform_;
-};
 
 /// Places of independent points in a box with a corner at the origin.
 inline particulate::kinematics::Vectors random_places(Uniform& uniform, Eigen::Index N,

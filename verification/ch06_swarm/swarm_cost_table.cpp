@@ -34,7 +34,7 @@ const Case swarm_cost{
      .equation = "R 6.1",
      .reference = Reference::independent_method},
     [](Rows& rows) {
-      const StepCosts costs = step_costs(PARTICULATE_SWARM_COST, {.few = 50, .many = rows.quick() ? 100 : 250});
+      const StepCosts costs = step_costs(PARTICULATE_SWARM_COST, {.few = 10, .many = rows.quick() ? 20 : 60});
       particulate::report::Table table({"feature", "state", "instructions per member and step", "allocations per step",
                                         "bytes per member and step"});
       const auto add_line = [&](const Feature& feature, const char* state, const StepCost& cost) {

@@ -53,22 +53,24 @@ Race pentagon_race() {
   return breathing_race(corners, kinematics::breathing_body(1.0, 0.5, 1.0, corners), 0.5, 1.0);
 }
 
+std::vector<schemes::State> handed_by(const Race& race, const reference::Method& method) {
+  std::vector<schemes::State> states;
+  schemes::State state = race.start;
+  reference::Integrator integrator(race.problem.seen(), race.start, method);
+  for (const double t : race.outputs) {
+    const schemes::Outcome out = integrator.advance(state, t);
+    if (out.status != schemes::Status::reached) throw std::runtime_error("a reference failed: " + out.reason);
+    states.push_back(state);
+  }
+  return states;
+}
+
 JudgedRace judged_race(const NearFieldScene& scene, double t_end, int legs) {
   JudgedRace judged{.race = {.problem = scene, .start = scenes::start(scene), .outputs = {}, .truth = {}}, .floor = {}};
   Race& race = judged.race;
   for (int leg = 1; leg <= legs; ++leg) race.outputs.push_back(t_end * leg / legs);
-  const auto handed_by = [&](const reference::Method& method) {
-    std::vector<schemes::State> states;
-    schemes::State state = race.start;
-    reference::Integrator integrator(race.problem.seen(), race.start, method);
-    for (const double t : race.outputs) {
-      const schemes::Outcome out = integrator.advance(state, t);
-      if (out.status != schemes::Status::reached) throw std::runtime_error("a reference failed: " + out.reason);
-      states.push_back(state);
-    }
-    return states;
-  };
   const std::vector<schemes::State> truth = handed_by(
+      race,
       reference::ExplicitRungeKutta{.table = reference::Table::fehlberg_13_7_8, .relative = 1e-15, .absolute = 1e-15});
   race.length = race.start.r.lpNorm<Eigen::Infinity>();
   race.speed = 0.0;
@@ -76,7 +78,7 @@ JudgedRace judged_race(const NearFieldScene& scene, double t_end, int legs) {
   race.truth = [truth](double t) {
     return *std::find_if(truth.begin(), truth.end(), [t](const schemes::State& at) { return at.t >= t; });
   };
-  judged.floor = errors_of(race, handed_by(reference::Adams{.relative = 1e-15, .absolute = 1e-15})).max;
+  judged.floor = errors_of(race, handed_by(race, reference::Adams{.relative = 1e-15, .absolute = 1e-15})).max;
   return judged;
 }
 

@@ -40,6 +40,14 @@ struct JudgedRace {
   double floor;  ///< by how much the two references disagree, in the measure of the race [-]
 };
 
+/// What a method of SUNDIALS hands out in a race, as a reference.
+///
+/// @param race    problem, start and output times
+/// @param method  with its tolerances
+/// @return the states at the output times
+/// @throws std::runtime_error if it does not get there
+std::vector<schemes::State> handed_by(const Race& race, const particulate::reference::Method& method);
+
 /// A race whose truth is ARKODE's, Fehlberg 8(7), and whose floor is its distance from CVODE's, Adams: two families at
 /// their tightest.
 ///

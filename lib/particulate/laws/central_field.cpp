@@ -51,7 +51,7 @@ bool add_field(const CentralField& field, const kinematics::Space& domain, const
   const Eigen::Index N = at.mass.size();
   const kinematics::CentralForce& law = field.per_mass;
   if (N == 0 || field.centre.empty() || (law.alpha1 == 0.0 && law.alpha2 == 0.0)) return true;
-  if (kinematics::has_periods(domain) || !at.position.allFinite()) return pair_by_pair();
+  if (kinematics::has_periods(domain)) return pair_by_pair();
   const detail::PairForce pair{law.alpha1, law.alpha2, law.beta1, law.beta2, field.d_ref};
   const detail::AddPairs add_pairs = detail::add_pairs_of(field.kernel, N);
   const detail::Columns particles = filled_with(at);
@@ -70,7 +70,7 @@ bool add_field(const CentralField& field, const kinematics::Space& domain, const
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
     for (Eigen::Index i = 0; i < N; ++i) f[axis * N + i] += added[axis][i];
   }
-  return true;
+  return force.allFinite();
 }
 
 }  // namespace particulate::laws

@@ -20,11 +20,11 @@ namespace particulate::laws {
 ///
 /// @equation{R 6.2}
 struct CentralField {
-  kinematics::CentralForce per_mass;        ///< exponents may be as low as -1 [N m^beta/kg]
-  std::span<const Eigen::Vector3d> centre;  ///< c_k [m]
-  double d_ref = 1.0;                       ///< distance at which a potential energy is zero, > 0 [m]
-  Kernel kernel = Kernel::best;             ///< what adds the forces in Space
-  bool vanishes_at_centre = false;          ///< whether a particle at a centre feels nothing of it; false: no force
+  kinematics::CentralForce per_mass;             ///< exponents may be as low as -1 [N m^beta/kg]
+  std::span<const Eigen::Vector3d> centre = {};  ///< c_k [m]
+  double d_ref = 1.0;                            ///< distance at which a potential energy is zero, > 0 [m]
+  Kernel kernel = Kernel::best;                  ///< what adds the forces in Space
+  bool vanishes_at_centre = false;  ///< whether a particle at a centre feels nothing of it; false: no force
 };
 
 /// Adds the forces of fixed centres, pair by pair.
@@ -34,8 +34,8 @@ struct CentralField {
 /// @param domain  forms the separations
 /// @param at      the particles
 /// @param force   receives the forces, added to what it holds [N]
-/// @return false where a particle is at a centre that has no force there, or a force is too large for a double; the
-///         forces are then meaningless
+/// @return false where a particle is at a centre that has no force there or is nowhere, or a force is too large for a
+///         double; the forces are then meaningless
 template <kinematics::Domain D>
 bool add_field(const CentralField& field, const D& domain, const At<>& at, Forces force) {
   bool all_apart = true;
@@ -43,10 +43,10 @@ bool add_field(const CentralField& field, const D& domain, const At<>& at, Force
     for (const Eigen::Vector3d& centre : field.centre) {
       const Eigen::Vector3d towards = separation(domain, at.position.row(i), centre);
       const double d = kinematics::length(towards);
-      if (d > 0.0) {
-        force.row(i) += at.mass[i] * strength(field.per_mass, d) * (towards / d);
-      } else {
+      if (d == 0.0) {
         all_apart = all_apart && field.vanishes_at_centre;
+      } else {
+        force.row(i) += at.mass[i] * strength(field.per_mass, d) * (towards / d);
       }
     }
   }

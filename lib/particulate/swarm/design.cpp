@@ -23,10 +23,22 @@ Obstacles obstacles_on(const Course& course, const Design& design) {
 }
 
 void require(bool holds, const char* what, double given) {
-  if (!holds) throw std::invalid_argument(fmt::format("course: {}, got {}", what, given));
+  if (!holds) throw std::invalid_argument(fmt::format("{}, got {}", what, given));
 }
 
 }  // namespace
+
+void validate(const Design& d) {
+  const auto is_strength = [](double alpha) { return alpha >= 0.0 && std::isfinite(alpha); };
+  require(is_strength(d.alpha1), "design: alpha1 must be finite and not negative", d.alpha1);
+  require(is_strength(d.alpha2), "design: alpha2 must be finite and not negative", d.alpha2);
+  require(d.beta1 <= 1.0 && std::isfinite(d.beta1), "design: beta1 must be finite and at most 1", d.beta1);
+  require(d.beta2 >= -1.0 && std::isfinite(d.beta2), "design: beta2 must be finite and at least -1", d.beta2);
+  require(is_strength(d.alpha_o), "design: alpha_o must be finite and not negative", d.alpha_o);
+  require(d.beta_o > 0.0 && std::isfinite(d.beta_o), "design: beta_o must be positive and finite", d.beta_o);
+  require(is_strength(d.alpha_t), "design: alpha_t must be finite and not negative", d.alpha_t);
+  require(d.beta_t >= 0.0 && d.beta_t <= 1.0, "design: beta_t must lie between 0 and 1", d.beta_t);
+}
 
 Design design_of(const Eigen::VectorXd& string) {
   if (string.size() != 8) {
@@ -59,11 +71,11 @@ void validate(const Course& course) {
   validate(Target{.place = course.target});
   validate(LinearDrag{.c_d = course.c_d});
   validate(SpeedLimit{.v_max = course.v_max});
-  require(course.duration > 0.0 && std::isfinite(course.duration), "duration must be positive and finite",
+  require(course.duration > 0.0 && std::isfinite(course.duration), "course: duration must be positive and finite",
           course.duration);
-  require(course.step > 0.0 && std::isfinite(course.step), "step must be positive and finite", course.step);
+  require(course.step > 0.0 && std::isfinite(course.step), "course: step must be positive and finite", course.step);
   require(course.loss_penalty >= 0.0 && std::isfinite(course.loss_penalty),
-          "loss_penalty must be finite and not negative", course.loss_penalty);
+          "course: loss_penalty must be finite and not negative", course.loss_penalty);
   if (const auto k = obstacle_around(obstacles, kinematics::Space{}, course.target)) {
     throw std::invalid_argument(
         fmt::format("course: the target must be outside of all obstacles, but is inside obstacle {}: place it "
@@ -81,6 +93,7 @@ laws::NearField members_law(const Design& design, double mass, laws::Kernel kern
 }
 
 Trial fly(const Design& design, const Course& course, const kinematics::Particles& start, const Watcher& watcher) {
+  validate(design);
   validate(course);
   Objective objective(course.target, start);
   const auto observe = [&](const schemes::State& from, const schemes::State& to, double dt, const auto& scheme) {

@@ -31,13 +31,19 @@ namespace particulate::swarm {
 struct Design {
   double alpha1 = 0.0;   ///< attraction of members, >= 0 [N m^-beta1/kg]
   double alpha2 = 0.0;   ///< their repulsion, >= 0 [N m^beta2/kg]
-  double beta1 = 0.0;    ///< exponent of attraction, 0 to 1 [-]
+  double beta1 = 0.0;    ///< exponent of attraction, <= 1; below 0 it falls with distance [-]
   double beta2 = 1.0;    ///< of repulsion, >= -1 [-]
   double alpha_o = 0.0;  ///< repulsion of obstacles, >= 0 [N m^beta_o/kg]
   double beta_o = 2.0;   ///< its exponent, > 0 [-]
   double alpha_t = 0.0;  ///< attraction of the target, >= 0 [N m^-beta_t/kg]
   double beta_t = 0.0;   ///< its exponent, 0 to 1 [-]
 };
+
+/// Refuses a design that is none. Called by fly().
+///
+/// @param design  a design
+/// @throws std::invalid_argument naming the parameter, what must hold and what was given
+void validate(const Design& design);
 
 /// @param string  eight parameters, in the order of Design
 /// @return the design
@@ -56,7 +62,7 @@ identification::Box design_bounds();
 
 /// Where a swarm flies, and how that is computed.
 struct Course {
-  std::vector<Eigen::Vector3d> obstacles = {};  ///< centres [m]
+  std::vector<Eigen::Vector3d> obstacles = {};  ///< centres; none: nobody is lost [m]
   std::vector<double> radii = {};               ///< of the obstacles [m]
   Eigen::Vector3d target = {10.0, 0.0, 0.0};    ///< [m]
   double c_d = 1.0;                             ///< of LinearDrag, >= 0 [1/s]

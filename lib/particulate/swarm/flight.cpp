@@ -84,6 +84,11 @@ bool Legs::end_leg() {
   return true;
 }
 
+void Legs::say_who_flew(schemes::Outcome& outcome) const {
+  if (outcome.status != schemes::Status::failed || are_all()) return;
+  outcome.reason += fmt::format("; its numbers count the {} members that still flew, in their order", flying_.size());
+}
+
 const schemes::State& Legs::whole(const schemes::State& flying, schemes::State& all) const {
   if (are_all()) return flying;
   all = resting_;

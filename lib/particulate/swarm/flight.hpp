@@ -49,6 +49,8 @@ class Legs {
   const schemes::State& whole(const schemes::State& flying, schemes::State& all) const;
   void scatter(const schemes::State& flying, schemes::State& all) const;
 
+  // What failed names members by their numbers among those who fly.
+  void say_who_flew(schemes::Outcome& outcome) const;
   std::vector<Loss> take_losses() { return std::move(lost_); }
 
  private:
@@ -101,16 +103,21 @@ struct WholeObserver {
   template <class S>
   bool operator()(const schemes::State& from, const schemes::State& to, double dt, const S& scheme) {
     const bool lost = legs.find_lost(to);
-    goes_on = observer(legs.whole(from, from_), legs.whole(to, to_), dt, WholeScheme<S>{scheme, legs, from});
+    const WholeScheme<S> whole{scheme, legs, from};
+    goes_on = observer(legs.whole(from, from_), legs.whole(to, to_), dt, whole);
     return goes_on && !lost;
   }
-  void rest_until(double t_end) {
+  void rest_until(double t_end, schemes::Outcome& outcome) {
     schemes::State& now = legs.state();
     if (!(now.t < t_end)) return;
-    const double dt = t_end - now.t;
+    const double dt = (t_end - now.t) - now.t_carry;
     from_ = to_ = legs.whole(now, from_);
     now.t = to_.t = t_end;
-    goes_on = observer(from_, to_, dt, AtRest{});
+    now.t_carry = to_.t_carry = 0.0;
+    const AtRest scheme;
+    if (observer(std::as_const(from_), std::as_const(to_), dt, scheme)) return;
+    outcome.status = schemes::Status::stopped;
+    outcome.reason = "the observer asked for it";
   }
   void jumped(const schemes::State& after, const schemes::Jump& jump) requires schemes::SeesJumps<Observer> {
     observer.jumped(legs.whole(after, to_), jump);
@@ -141,7 +148,8 @@ const Obstacles* obstacles_of(const L& law) {
 /// @param control   the step control
 /// @param observer  as that of schemes::integrate(), of the whole swarm
 /// @param laws      of the scene; Obstacles, if there are any, at most once
-/// @return what became of it; its outcome says whether the end was reached
+/// @return what became of it; its outcome says whether the end was reached. Numbers in the reason of a failure are
+///         those among the members that still flew
 /// @throws std::invalid_argument for no member, a member that starts inside an obstacle, which it names, and as a scene
 ///         and schemes::integrate()
 template <class S, class C, class Observer, class... Laws>
@@ -160,9 +168,10 @@ Flight fly(const kinematics::Particles& start, const kinematics::Space& domain, 
     if (flight.outcome.status == schemes::Status::failed || !legs.end_leg() || !seen.goes_on) break;
     flight.outcome.status = schemes::Status::reached;
     flight.outcome.reason.clear();
-    if (!legs.any_fly()) seen.rest_until(t_end);
+    if (!legs.any_fly()) seen.rest_until(t_end, flight.outcome);
   } while (legs.any_fly() && legs.state().t < t_end);
   flight.outcome.t = legs.state().t;
+  legs.say_who_flew(flight.outcome);
   flight.state = legs.whole(legs.state(), seen.from_);
   flight.lost = legs.take_losses();
   return flight;

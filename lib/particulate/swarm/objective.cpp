@@ -6,8 +6,18 @@
 
 namespace particulate::swarm {
 
+namespace {
+
+const kinematics::Vectors& places_of_some(const kinematics::Particles& start) {
+  validate(start);
+  if (start.size() == 0) throw std::invalid_argument("objective: must have one member at least, got none");
+  return start.position;
+}
+
+}  // namespace
+
 Objective::Objective(const Eigen::Vector3d& target, const kinematics::Particles& start, const kinematics::Space& domain)
-    : target_(target), domain_(domain), at_start_(mean_distance({start.position.data(), start.position.rows(), 3})) {
+    : target_(target), domain_(domain), at_start_(mean_distance({places_of_some(start).data(), start.size(), 3})) {
   if (at_start_ > 0.0 && std::isfinite(at_start_)) return;
   throw std::invalid_argument(fmt::format(
       "objective: the mean distance of the members from the target must be positive and finite at the start, as all "

@@ -6,7 +6,7 @@
 
 namespace particulate::swarm {
 
-/// How far a swarm is from its target, on the average over members and time: an observer for fly().
+/// How far a swarm is from its target, on the average over members and time: an observer for fly(), of one flight.
 ///
 /// \f[ \Pi = \frac1T \int_0^T \frac{\sum_i d_i(t)}{\sum_i d_i(0)}\,dt, \qquad d_i = \|r_t - r_i\| \f]
 ///
@@ -16,7 +16,8 @@ class Objective {
   /// @param target  r_t [m]
   /// @param start   the members
   /// @param domain  space
-  /// @throws std::invalid_argument unless some member starts away from the target
+  /// @throws std::invalid_argument for particles that are none, for no member, and unless some member starts away
+  ///         from the target
   Objective(const Eigen::Vector3d& target, const kinematics::Particles& start, const kinematics::Space& domain = {});
 
   /// One step of a flight.

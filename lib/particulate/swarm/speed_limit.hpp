@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <utility>
 
 #include <particulate/kinematics/domain.hpp>
 #include <particulate/laws/law.hpp>
@@ -35,7 +36,7 @@ schemes::Jump jump(const SpeedLimit& law, const laws::At<laws::Velocity>& at, sc
 /// @copydoc jump(const SpeedLimit&, const laws::At<laws::Velocity>&, schemes::Out)
 template <kinematics::Domain D>
 schemes::Jump jump(const SpeedLimit& law, const D&, const laws::At<laws::Velocity>& at, double, schemes::Out velocity) {
-  return jump(law, at, velocity);
+  return jump(law, at, std::move(velocity));
 }
 
 /// Potential energy of a speed limit: none, as it exerts no force between its jumps.
