@@ -109,6 +109,23 @@ BOOST_AUTO_TEST_CASE(wants_no_flag_or_one_a_particle) {
 }
 
 // Its mass still scales the near field.
+BOOST_AUTO_TEST_CASE(wants_heat_of_all_or_of_none) {
+  Particles warm = particles(
+      {{.position = {0.0, 0.0, 0.0}, .mass = 1.0, .radius = 0.0, .temperature = 300.0, .heat_capacity = 4.0},
+       {.position = {1.0, 0.0, 0.0}, .mass = 1.0, .radius = 0.0, .temperature = 310.0, .heat_capacity = 5.0}});
+  BOOST_TEST((warm.temperature == Eigen::Vector2d(300.0, 310.0)));
+  BOOST_TEST((chosen(warm, {1}).heat_capacity == Eigen::VectorXd::Constant(1, 5.0)));
+  warm.temperature[1] = -1.0;
+  CHECK_REFUSED(validate(warm), "temperatures must be positive and finite, got -1 K for particle 1");
+  warm.temperature[1] = 1.0;
+  warm.heat_capacity[0] = 0.0;
+  CHECK_REFUSED(validate(warm), "heat capacities must be positive and finite, got 0 J/(kg K) for particle 0");
+  warm.heat_capacity.resize(0);
+  CHECK_REFUSED(validate(warm), "must both be empty or hold one entry a particle, got 2 and 0 for 2");
+  CHECK_REFUSED(particles({{.position = {0.0, 0.0, 0.0}, .mass = 1.0, .radius = 0.0, .temperature = 300.0}}),
+                "heat capacities must be positive and finite, got nan");
+}
+
 BOOST_AUTO_TEST_CASE(wants_a_mass_of_what_is_immovable_too) {
   Particles particles = two_particles();
   particles.immovable = {true, true};

@@ -1,0 +1,72 @@
+#include <particulate/thermo/clusters.hpp>
+
+#include "close.hpp"
+#include "clouds.hpp"
+#include "says.hpp"
+
+namespace tests::clusters_test {
+
+using boost::test_tools::tolerance;
+using namespace particulate;
+using namespace particulate::thermo;
+
+BOOST_AUTO_TEST_SUITE(find_clusters_)
+
+// A chain whose middle comes last, and one alone.
+BOOST_AUTO_TEST_CASE(joins_what_hangs_together) {
+  kinematics::Vectors r(5, 3);
+  r << 0, 0, 0, 1, 0, 0, 1.5, 0, 0, 5, 0, 0, 0.5, 0, 0;
+  const Clusters found = find_clusters({}, r, 0.5);
+  BOOST_TEST((found.of == std::vector<Eigen::Index>{0, 0, 0, 1, 0}));
+  BOOST_TEST((found.sizes == std::vector<Eigen::Index>{4, 1}));
+  BOOST_TEST(found.links == 3);
+  BOOST_TEST(found.largest() == 4);
+  BOOST_TEST(found.linked_share() == 0.8, tolerance(1e-15));
+}
+
+// Against a flood from body to body over all pairs, so many that they are searched, in space that repeats itself too.
+BOOST_AUTO_TEST_CASE(agrees_with_a_flood) {
+  const auto cloud = random_cloud(300, {1.0, 1.0, 1.0}, 0.01, 0.01);
+  for (const double period : {1.0, std::numeric_limits<double>::infinity()}) {
+    const kinematics::Space space{.lengths = Eigen::Vector3d::Constant(period)};
+    const Clusters found = find_clusters(space, cloud.position, 0.11);
+    std::vector<Eigen::Index> of(300, -1);
+    Eigen::Index clusters = 0;
+    for (Eigen::Index seed = 0; seed < 300; ++seed) {
+      if (of[static_cast<std::size_t>(seed)] >= 0) continue;
+      std::vector<Eigen::Index> front{seed};
+      of[static_cast<std::size_t>(seed)] = clusters;
+      while (!front.empty()) {
+        const Eigen::Index i = front.back();
+        front.pop_back();
+        for (Eigen::Index j = 0; j < 300; ++j) {
+          if (of[static_cast<std::size_t>(j)] >= 0) continue;
+          if (separation(space, cloud.position.row(i), cloud.position.row(j)).norm() > 0.11) continue;
+          of[static_cast<std::size_t>(j)] = clusters;
+          front.push_back(j);
+        }
+      }
+      ++clusters;
+    }
+    BOOST_TEST((clusters > 5 && clusters < 250));
+    BOOST_TEST((found.of == of));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(takes_nobody_and_refuses_no_length) {
+  BOOST_TEST(find_clusters({}, kinematics::Vectors(0, 3), 1.0).largest() == 0);
+  CHECK_REFUSED(find_clusters({}, kinematics::Vectors(0, 3), -1.0), "finite and not negative, got -1 m");
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+BOOST_AUTO_TEST_SUITE(radius_of_gyration_)
+
+BOOST_AUTO_TEST_CASE(is_1_of_a_pair_two_apart) {
+  kinematics::Vectors r(2, 3);
+  r << 3, 4, 5, 5, 4, 5;
+  BOOST_TEST(radius_of_gyration(r) == 1.0);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace tests::clusters_test

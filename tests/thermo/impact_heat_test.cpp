@@ -1,0 +1,138 @@
+#include <particulate/thermo/impact_heat.hpp>
+
+#include <numbers>
+
+#include <particulate/scenes/scene.hpp>
+#include <particulate/schemes/fixed_step.hpp>
+#include <particulate/schemes/integrate.hpp>
+#include <particulate/schemes/verlet.hpp>
+
+#include "close.hpp"
+#include "clouds.hpp"
+#include "says.hpp"
+
+namespace tests::impact_heat_test {
+
+using boost::test_tools::tolerance;
+using namespace particulate;
+using contact::ConstantRestitution;
+using contact::Contact;
+using contact::Friction;
+using kinematics::Space;
+using thermo::ImpactHeat;
+
+BOOST_AUTO_TEST_SUITE(released_energy_)
+
+// 1e6 J/m^2 on pi 0.01^2 m^2 is 314.159 J; half the impulse sets free half of it, three times the impulse all.
+BOOST_AUTO_TEST_CASE(grows_with_the_impulse_up_to_all_of_it) {
+  const ImpactHeat law{.kappa = 1e6, .J_star = 0.2};
+  BOOST_TEST(released_energy(law, 0.1, 0.01) == 50.0 * std::numbers::pi, tolerance(1e-15));
+  BOOST_TEST(released_energy(law, 0.6, 0.01) == 100.0 * std::numbers::pi, tolerance(1e-15));
+  BOOST_TEST(released_energy(law, 0.0, 0.01) == 0.0);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+BOOST_AUTO_TEST_SUITE(dissipated_energy_)
+
+// Masses 1 and 3 kg approach at 2 m/s and part at half of it: 1/2 (3/4) (1 - 1/4) 4 = 1.125 J.
+BOOST_AUTO_TEST_CASE(is_that_of_the_reduced_mass) {
+  const contact::ImpactRecord impact{
+      .n = {1.0, 0.0, 0.0}, .push = 0.75 * 3.0, .before = {2.0, 0.5, 0.0}, .after = {-1.0, 0.5, 0.0}};
+  BOOST_TEST(thermo::dissipated_energy(impact) == 1.125, tolerance(1e-15));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+BOOST_AUTO_TEST_SUITE(add_heat_of_impact_)
+
+// The same two, of heat capacities 4 and 2 J/(kg K): half of 1.125 J warms 4 J/K and 6 J/K.
+kinematics::Particles two(bool first_is_immovable) {
+  return kinematics::particles({{.position = {0.0, 0.0, 0.0},
+                                 .velocity = {first_is_immovable ? 0.0 : 1.0, 0.0, 0.0},
+                                 .mass = 1.0,
+                                 .radius = 0.5,
+                                 .immovable = first_is_immovable,
+                                 .temperature = 300.0,
+                                 .heat_capacity = 4.0},
+                                {.position = {1.0, 0.0, 0.0},
+                                 .velocity = {-1.0, 0.0, 0.0},
+                                 .mass = 3.0,
+                                 .radius = 0.5,
+                                 .temperature = 280.0,
+                                 .heat_capacity = 2.0}});
+}
+
+schemes::State after_a_step(const kinematics::Particles& particles, const Space& space, const ImpactHeat& law) {
+  const scenes::Scene scene(particles, space, Contact<ConstantRestitution>{.restitution = {0.5}}, law);
+  schemes::State state = scenes::start(scene);
+  const schemes::Outcome out =
+      integrate(scene, state, 1e-9, schemes::VelocityVerlet{}, schemes::FixedStep{.step = 1e-9});
+  BOOST_TEST(out.heat == out.released - out.energy_change, tolerance(1e-14));
+  return state;
+}
+
+BOOST_AUTO_TEST_CASE(warms_both_by_half) {
+  const Eigen::VectorXd theta = after_a_step(two(false), {}, {}).y;
+  BOOST_TEST(close(theta, Eigen::Vector2d(300.0 + 0.5625 / 4.0, 280.0 + 0.5625 / 6.0), {.relative = 1e-15}));
+}
+
+// At rest and immovable it meets 3 kg at 1 m/s, which lose 3/4 of 1.5 J; the reaction adds its own, pi/4 J.
+BOOST_AUTO_TEST_CASE(warms_one_alone_where_the_other_is_immovable) {
+  const Eigen::VectorXd theta = after_a_step(two(true), {}, {.kappa = 1.0, .J_star = 1.0}).y;
+  BOOST_TEST(theta[0] == 300.0);
+  BOOST_TEST(theta[1] == 280.0 + (1.125 + 0.25 * std::numbers::pi) / 6.0, tolerance(1e-15));
+}
+
+BOOST_AUTO_TEST_CASE(warms_what_hits_a_wall_by_all_of_it) {
+  kinematics::Particles one = chosen(two(false), {1});
+  one.position.row(0) << 0.5, 0.0, 0.0;
+  const Eigen::VectorXd theta = after_a_step(one, {.walls = {{.normal = {1.0, 0.0, 0.0}}}}, {}).y;
+  BOOST_TEST(theta[0] == 280.0 + 1.125 / 6.0, tolerance(1e-15));
+}
+
+// Friction, groups of contacts and both ways to resolve them: what impacts take is what becomes warm.
+BOOST_AUTO_TEST_CASE(closes_the_books_of_a_cloud) {
+  for (const auto resolution : {contact::Resolution::sequential, contact::Resolution::summed}) {
+    kinematics::Particles cloud = random_cloud(60, {1.0, 1.0, 1.0}, 0.05, 0.1);
+    cloud.temperature = Eigen::VectorXd::Constant(60, 300.0);
+    cloud.heat_capacity = Eigen::VectorXd::LinSpaced(60, 1.0, 3.0);
+    const scenes::Scene scene(
+        cloud, Space{},
+        Contact<ConstantRestitution, Friction>{
+            .restitution = {0.5}, .friction = {.mu_s = 0.2, .mu_d = 0.1}, .resolution = resolution},
+        ImpactHeat{.kappa = 10.0, .J_star = 0.1});
+    schemes::State state = scenes::start(scene);
+    const schemes::Outcome out =
+        integrate(scene, state, 0.2, schemes::VelocityVerlet{}, schemes::FixedStep{.step = 0.01});
+    const double thermal = cloud.mass.cwiseProduct(cloud.heat_capacity).dot(state.y - cloud.temperature);
+    BOOST_TEST(out.impacts > 50);
+    BOOST_TEST(out.released > 0.0);
+    BOOST_TEST(out.heat == out.released - out.energy_change, tolerance(1e-12));
+    BOOST_TEST(thermal == out.heat, tolerance(1e-12));
+  }
+}
+
+// Nothing looks at temperatures, so that the motion has the same bits with them and without.
+BOOST_AUTO_TEST_CASE(leaves_the_motion_alone) {
+  kinematics::Particles cloud = random_cloud(40, {1.0, 1.0, 1.0}, 0.05, 0.1);
+  const Contact<ConstantRestitution> contact{.restitution = {0.5}};
+  const scenes::Scene cold(cloud, Space{}, contact);
+  cloud.temperature = cloud.heat_capacity = Eigen::VectorXd::Ones(40);
+  const scenes::Scene warm(cloud, Space{}, contact, ImpactHeat{.kappa = 5.0});
+  schemes::State one = scenes::start(cold), other = scenes::start(warm);
+  (void)integrate(cold, one, 0.2, schemes::VelocityVerlet{}, schemes::FixedStep{.step = 0.01});
+  (void)integrate(warm, other, 0.2, schemes::VelocityVerlet{}, schemes::FixedStep{.step = 0.01});
+  BOOST_TEST(one.y.size() == 0);
+  BOOST_TEST((one.r == other.r && one.v == other.v));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+BOOST_AUTO_TEST_SUITE(validate_)
+
+BOOST_AUTO_TEST_CASE(refuses_what_is_no_heat) {
+  CHECK_REFUSED(validate(ImpactHeat{.kappa = -1.0}), "kappa must be finite and not negative, got -1 J/m^2");
+  CHECK_REFUSED(validate(ImpactHeat{.J_star = 0.0}), "J_star must be positive and finite, got 0 N s");
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace tests::impact_heat_test
