@@ -21,7 +21,7 @@ Moment three_members() {
 
 std::pair<Jump, Vectors> limited(double v_max, const Moment& moment) {
   Eigen::VectorXd v = moment.particles.velocity.reshaped();
-  const Jump done = jump(SpeedLimit{.v_max = v_max}, moment.at(), v);
+  const Jump done = jump(SpeedLimit{.v_max = v_max}, Space{}, moment.at(), 0.0, v);
   return {done, v.reshaped(moment.particles.size(), 3)};
 }
 

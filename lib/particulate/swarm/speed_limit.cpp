@@ -12,9 +12,8 @@ void validate(const SpeedLimit& law) {
       fmt::format("speed limit: v_max must not be negative, got {} m/s; leave the law out for none", law.v_max));
 }
 
-schemes::Jump jump(const SpeedLimit& law, const laws::At<laws::Velocity>& at, schemes::Out velocity) {
+schemes::Jump limit_speeds(const SpeedLimit& law, const laws::At<laws::Velocity>& at, laws::Forces velocity) {
   schemes::Jump done;
-  Eigen::Map<kinematics::Vectors> after(velocity.data(), at.mass.size(), 3);
   // A velocity that was shortened may be too long by its roundings: it is not shortened again for them.
   const double allowed = law.v_max * (1.0 + 4.0 * std::numeric_limits<double>::epsilon());
   for (Eigen::Index i = 0; i < at.mass.size(); ++i) {
@@ -22,7 +21,7 @@ schemes::Jump jump(const SpeedLimit& law, const laws::At<laws::Velocity>& at, sc
     const double speed = kinematics::length(before);
     if (speed <= allowed || at.inverse_mass[i] == 0.0) continue;
     const Eigen::Vector3d slowed = (law.v_max / speed) * before;
-    after.row(i) = slowed;
+    velocity.row(i) = slowed;
     done.energy_change += 0.5 * at.mass[i] * (slowed - before).dot(slowed + before);
     ++done.impacts;
   }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <limits>
-#include <utility>
 
 #include <particulate/kinematics/domain.hpp>
 #include <particulate/laws/law.hpp>
@@ -29,14 +28,20 @@ void validate(const SpeedLimit& law);
 /// @equation{R 6.3}
 /// @param law       a limit that validate() accepts
 /// @param at        the members, with the velocities at the end of a step
-/// @param velocity  the same velocities, 3 N numbers, column by column; receives the new ones [m/s]
+/// @param velocity  the same velocities, N x 3; receives the new ones [m/s]
 /// @return how many were too fast, and the change of their kinetic energy, which is what the limit takes
-schemes::Jump jump(const SpeedLimit& law, const laws::At<laws::Velocity>& at, schemes::Out velocity);
+schemes::Jump limit_speeds(const SpeedLimit& law, const laws::At<laws::Velocity>& at, laws::Forces velocity);
 
-/// @copydoc jump(const SpeedLimit&, const laws::At<laws::Velocity>&, schemes::Out)
+/// The jump of a scene with this law: limit_speeds().
+///
+/// @equation{R 6.3}
+/// @param law       a limit that validate() accepts
+/// @param at        the members, with the velocities at the end of a step
+/// @param velocity  the same velocities, 3 N numbers, column by column; receives the new ones [m/s]
+/// @return what limit_speeds() did
 template <kinematics::Domain D>
 schemes::Jump jump(const SpeedLimit& law, const D&, const laws::At<laws::Velocity>& at, double, schemes::Out velocity) {
-  return jump(law, at, std::move(velocity));
+  return limit_speeds(law, at, {velocity.data(), at.mass.size(), 3});
 }
 
 /// Potential energy of a speed limit: none, as it exerts no force between its jumps.
