@@ -290,6 +290,24 @@ concept Impacts = requires(const L& law, const laws::At<laws::Velocity>& at, Tou
   { resolve_impacts(law, at, touching, force, dt, velocity) } -> std::same_as<schemes::Jump>;
 };
 
+/// A law that resolves impacts with a restitution that falls with temperature.
+template <class L>
+concept Softens = Impacts<L> && requires(const L& law, double theta) {
+  { softening(law.restitution, theta) } -> std::same_as<double>;
+};
+
+/// Tells contacts what temperature leaves of their restitution.
+///
+/// @param law       with softening()
+/// @param theta     temperatures, N [K]
+/// @param touching  contacts; receives Touch::softened
+template <class R>
+void soften(const R& law, schemes::In theta, Touching& touching) {
+  for (Touch& touch : touching.contacts) {
+    touch.softened = softening(law, touch.j < 0 ? theta[touch.i] : 0.5 * (theta[touch.i] + theta[touch.j]));
+  }
+}
+
 /// A law that turns impacts into heat: `add_heat_of_impact(law, at, impact, heat)` adds what the bodies gain to `heat`
 /// [J] and returns the chemical energy of which it came beside kinetic energy [J].
 template <class L>

@@ -66,11 +66,20 @@ bool rests(const Touch& touch, double u, double e) {
   return touch.slow > 0.0 && (u <= touch.slow || e * u <= touch.parting);
 }
 
+template <class R>
+double restitution_of(const R& law, const Touch& touch, double u) {
+  if constexpr (std::is_same_v<R, SofteningRestitution>) {
+    return restitution_at(law, u, touch.softened);
+  } else {
+    return restitution_at(law, u);
+  }
+}
+
 template <class R, class F>
 Meeting meeting_of(const ContactResolver<R, F>& law, const Motions& motions, const Touch& touch, double duration) {
   const double u = motions.approach(touch);
   if (!(u > 0.0) || !motions.can_move(touch)) return {};
-  const double e = restitution_at(law.restitution, u);
+  const double e = restitution_of(law.restitution, touch, u);
   if (rests(touch, u, e)) return {};
   const double delta1 = changes_of(touch, duration, e).compression.dot(touch.n);
   constexpr double unit_mass = 1.0;  // the impulse on it is the change of speed that restitution asks for
@@ -233,7 +242,7 @@ void resolve_each(const ContactResolver<R, F>& law, Motions& motions, const std:
   for (const Touch& touch : touching) {
     const Meeting meeting = meeting_of(law, motions, touch, duration);
     if (!(meeting.met > at_rest)) continue;
-    const double e = restitution_at(law.restitution, meeting.speed);
+    const double e = restitution_of(law.restitution, touch, meeting.speed);
     const Body i = motions.body(touch.i), j = motions.body(touch.j);
     actions.push_back({&touch, impact_impulse(i, j, touch.n, e, changes_of(touch, duration, e), law.friction),
                        i.velocity - j.velocity});
@@ -496,5 +505,7 @@ template struct ContactResolver<ConstantRestitution, Frictionless>;
 template struct ContactResolver<ConstantRestitution, Friction>;
 template struct ContactResolver<Restitution, Frictionless>;
 template struct ContactResolver<Restitution, Friction>;
+template struct ContactResolver<SofteningRestitution, Frictionless>;
+template struct ContactResolver<SofteningRestitution, Friction>;
 
 }  // namespace particulate::contact

@@ -31,6 +31,7 @@ struct Touch {
   double hold = 0.0;                                       ///< step to hold it over if it rests; 0: it is not held [s]
   double parting = 0.0;                                    ///< speed at which it parts at least if it is held [m/s]
   double slow = 0.0;                                       ///< approach that the other forces make in hold [m/s]
+  double softened = 1.0;                                   ///< what is left of restitution by temperature, 0 to 1 [-]
 };
 
 /// One impact, as it was resolved. Friction of contacts that were hit one after the other has a record of its own,

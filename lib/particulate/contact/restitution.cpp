@@ -1,5 +1,6 @@
 #include <particulate/contact/restitution.hpp>
 
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 
@@ -43,6 +44,18 @@ double speeds_to_come(const Restitution& law, double speed) {
 void validate(const ConstantRestitution& law) {
   if (!(law.e >= 0.0 && law.e <= 1.0)) {
     throw std::invalid_argument(fmt::format("restitution: e must lie in [0, 1], got {}", law.e));
+  }
+}
+
+void validate(const SofteningRestitution& law) {
+  validate(law.cold);
+  if (!(law.theta_r >= 0.0 && std::isfinite(law.theta_r))) {
+    throw std::invalid_argument(
+        fmt::format("restitution: theta_r must be finite and not negative, got {} K", law.theta_r));
+  }
+  if (!(law.theta_star > law.theta_r && std::isfinite(law.theta_star))) {
+    throw std::invalid_argument(fmt::format("restitution: theta_star must be finite and above theta_r = {} K, got {} K",
+                                            law.theta_r, law.theta_star));
   }
 }
 

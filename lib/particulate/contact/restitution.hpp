@@ -71,4 +71,53 @@ inline double restitution_at(const ConstantRestitution& law, double) { return la
 /// @return speed/(1 - e), infinite for e = 1 [m/s]
 double speeds_to_come(const ConstantRestitution& law, double speed);
 
+/// A restitution that falls with temperature as well: optional, and ours.
+///
+/// \f[ e = \max\!\left(e_o \left\langle 1 - \frac{u}{v^*} \right\rangle s(\theta_m),\; e^-\right), \qquad
+///     s = \min\!\left(\left\langle 1 - \frac{\theta_m - \theta_r}{\theta^* - \theta_r} \right\rangle, 1\right) \f]
+///
+/// @equation{R 7.4.1} \f$ \langle x \rangle = \max(x, 0) \f$; the mean of the temperatures of the two bodies counts,
+/// and of a wall nothing. Below theta_r nothing changes, so that e never exceeds e_o.
+struct SofteningRestitution {
+  Restitution cold = {};      ///< at theta_r and below
+  double theta_r = 300.0;     ///< reference, >= 0 [K]
+  double theta_star = 600.0;  ///< at which nothing but e_minus is left, above theta_r [K]
+};
+
+/// Refuses constants that are no restitution law. Called once, where a law enters a scene.
+///
+/// @param law  the constants
+/// @throws std::invalid_argument naming the constant, what must hold and what was given
+void validate(const SofteningRestitution& law);
+
+/// What is left of a restitution at a temperature.
+///
+/// @equation{R 7.4.1}
+/// @param law    constants that validate() accepts
+/// @param theta  mean temperature of the two bodies, >= 0 [K]
+/// @return s, 0 to 1 [-]
+inline double softening(const SofteningRestitution& law, double theta) {
+  return std::clamp(1.0 - (theta - law.theta_r) / (law.theta_star - law.theta_r), 0.0, 1.0);
+}
+
+/// Coefficient of restitution at an approach speed and a temperature.
+///
+/// @equation{R 7.4.1}
+/// @param law             constants that validate() accepts
+/// @param approach_speed  >= 0 [m/s]
+/// @param softened        softening() of the pair [-]
+/// @return e [-]
+inline double restitution_at(const SofteningRestitution& law, double approach_speed, double softened) {
+  const Restitution& cold = law.cold;
+  return std::max(cold.e_o * std::max(1.0 - approach_speed / cold.v_star, 0.0) * softened, cold.e_minus);
+}
+
+/// The same of a restitution that softens: as if it stayed cold, which is the most that it can be.
+///
+/// @equation{D 2.4.2}
+/// @param law    constants that validate() accepts
+/// @param speed  after the first impact, >= 0 [m/s]
+/// @return sum [m/s]
+inline double speeds_to_come(const SofteningRestitution& law, double speed) { return speeds_to_come(law.cold, speed); }
+
 }  // namespace particulate::contact

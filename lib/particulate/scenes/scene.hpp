@@ -132,7 +132,8 @@ class Scene {
   /// Whether a law turns impacts into heat.
   static constexpr bool heats_impacts = (contact::HeatsImpacts<Laws> || ...);
   /// Whether the particles have temperatures, which are then the y of the scene's states [K].
-  static constexpr bool has_temperatures = has_heat_flow || heats_impacts || (laws::needs_temperature<Laws, D> || ...);
+  static constexpr bool has_temperatures =
+      has_heat_flow || heats_impacts || ((laws::needs_temperature<Laws, D> || contact::Softens<Laws>) || ...);
   /// Whether they change by impacts alone. @see schemes::CoupledProblem
   static constexpr bool values_by_jumps = has_temperatures && !has_heat_flow;
   /// Whether motion and temperatures act on each other at every moment.
@@ -388,6 +389,7 @@ class Scene {
   schemes::Jump resolve(const L& law, const laws::At<laws::Velocity>& here, contact::Touching touching, double dt,
                         schemes::Out y) const {
     Eigen::VectorXd &others = scratch_.others, &after = scratch_.after;
+    if constexpr (contact::Softens<L>) contact::soften(law.restitution, y, touching);
     if constexpr (!heats_impacts) {
       return resolve_impacts(law, here, std::move(touching), others, dt, after);
     } else {
