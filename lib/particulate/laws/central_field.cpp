@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include <particulate/laws/detail/near_field_kernels.hpp>
+#include <particulate/laws/detail/columns.hpp>
 
 namespace particulate::laws {
 
@@ -31,19 +31,6 @@ class PaddedCentres {
   alignas(64) double x_[most], y_[most], z_[most], factor_[most], unused_[most] = {};
 };
 
-// Particles side by side, and what is added to them.
-detail::Columns filled_with(const At<>& at) {
-  const Eigen::Index N = at.mass.size();
-  double* const first = at.scratch.columns(8, N);
-  const std::size_t stride = Scratch::stride(N);
-  const auto column = [&](std::size_t k) { return first + k * stride; };
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    std::copy_n(at.position.data() + static_cast<Eigen::Index>(axis) * N, N, column(axis));
-  }
-  std::copy_n(at.mass.data(), N, column(3));
-  return {column(0), column(1), column(2), column(3), column(7), column(7), column(7), column(4), column(5), column(6)};
-}
-
 }  // namespace
 
 bool add_field(const CentralField& field, const kinematics::Space& domain, const At<>& at, Forces force) {
@@ -54,7 +41,7 @@ bool add_field(const CentralField& field, const kinematics::Space& domain, const
   if (kinematics::has_periods(domain)) return pair_by_pair();
   const detail::PairForce pair{law.alpha1, law.alpha2, law.beta1, law.beta2, field.d_ref};
   const detail::AddPairs add_pairs = detail::add_pairs_of(field.kernel, N);
-  const detail::Columns particles = filled_with(at);
+  const detail::Columns particles = detail::filled(at.scratch, at.position.data(), at.mass.data(), N);
   for (std::span<const Eigen::Vector3d> left = field.centre; !left.empty();) {
     PaddedCentres centres(left);
     const detail::Block block{.row = centres.columns(),
@@ -65,12 +52,7 @@ bool add_field(const CentralField& field, const kinematics::Space& domain, const
     if (!add_pairs(pair, block, nullptr)) return pair_by_pair();
     left = left.subspan(centres.size());
   }
-  double* const f = force.data();
-  const double* const added[] = {particles.reaction_x, particles.reaction_y, particles.reaction_z};
-  for (Eigen::Index axis = 0; axis < 3; ++axis) {
-    for (Eigen::Index i = 0; i < N; ++i) f[axis * N + i] += added[axis][i];
-  }
-  return force.allFinite();
+  return detail::add_components(particles, N, force);
 }
 
 }  // namespace particulate::laws

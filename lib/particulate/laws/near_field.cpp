@@ -11,7 +11,7 @@
 
 #include <fmt/format.h>
 
-#include <particulate/laws/detail/near_field_kernels.hpp>
+#include <particulate/laws/detail/columns.hpp>
 
 namespace particulate::laws {
 
@@ -62,27 +62,6 @@ std::string refusal(Kernel kernel) {
 }
 
 static_assert(detail::padded_to == Scratch::line);
-
-// The columns of a scene's scratch, filled.
-detail::Columns filled(Scratch& scratch, const double* position, const double* factor, Eigen::Index N) {
-  double* const first = scratch.columns(10, N);
-  const std::size_t stride = Scratch::stride(N);
-  const auto column = [&](std::size_t k) { return first + k * stride; };
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    std::copy_n(position + static_cast<Eigen::Index>(axis) * N, N, column(axis));
-  }
-  std::copy_n(factor, N, column(3));
-  return {.x = column(0),
-          .y = column(1),
-          .z = column(2),
-          .factor = column(3),
-          .action_x = column(4),
-          .action_y = column(5),
-          .action_z = column(6),
-          .reaction_x = column(7),
-          .reaction_y = column(8),
-          .reaction_z = column(9)};
-}
 
 // All pairs of many particles in blocks of so many against so many.
 constexpr Eigen::Index edge = 512;
@@ -141,12 +120,6 @@ bool add_component(const double* action, const double* reaction, Eigen::Index N,
   return zero == 0.0;
 }
 
-bool add_components(const detail::Columns& c, Eigen::Index N, Forces force) {
-  double* const f = force.data();
-  return add_component(c.action_x, c.reaction_x, N, f) && add_component(c.action_y, c.reaction_y, N, f + N) &&
-         add_component(c.action_z, c.reaction_z, N, f + 2 * N);
-}
-
 }  // namespace
 
 std::string_view name(Kernel kernel) {
@@ -168,6 +141,32 @@ bool is_available(Kernel kernel) { return kernel == Kernel::best || (built(kerne
 Kernel best_kernel() {
   if (is_available(Kernel::avx512)) return Kernel::avx512;
   return is_available(Kernel::avx2) ? Kernel::avx2 : Kernel::baseline;
+}
+
+detail::Columns detail::filled(Scratch& scratch, const double* position, const double* factor, Eigen::Index N) {
+  double* const first = scratch.columns(10, N);
+  const std::size_t stride = Scratch::stride(N);
+  const auto column = [&](std::size_t k) { return first + k * stride; };
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    std::copy_n(position + static_cast<Eigen::Index>(axis) * N, N, column(axis));
+  }
+  std::copy_n(factor, N, column(3));
+  return {.x = column(0),
+          .y = column(1),
+          .z = column(2),
+          .factor = column(3),
+          .action_x = column(4),
+          .action_y = column(5),
+          .action_z = column(6),
+          .reaction_x = column(7),
+          .reaction_y = column(8),
+          .reaction_z = column(9)};
+}
+
+bool detail::add_components(const Columns& c, Eigen::Index N, Forces force) {
+  double* const f = force.data();
+  return add_component(c.action_x, c.reaction_x, N, f) && add_component(c.action_y, c.reaction_y, N, f + N) &&
+         add_component(c.action_z, c.reaction_z, N, f + 2 * N);
 }
 
 detail::AddPairs detail::add_pairs_of(Kernel kernel, std::int64_t N) {
@@ -303,7 +302,7 @@ bool add_many(const NearField& law, const At<>& at, const Factors& factor, detai
   const Eigen::Index N = at.mass.size();
   const detail::AddPairs add_pairs = built(chosen(law)).all;
   const detail::PairForce pair = pair_force(law);
-  c = filled(at.scratch, at.position.data(), factor.data(), N);
+  c = detail::filled(at.scratch, at.position.data(), factor.data(), N);
   if (N <= edge) return add_pairs(pair, {.row = c, .partner = c, .rows = N, .partners = N, .same = true}, energy);
   return add_in_rounds(add_pairs, pair, c, N, law.threads, energy);
 }
@@ -321,8 +320,8 @@ bool add_within(const NearField& law, const kinematics::Space& space, const At<>
                               .taper = law.taper,
                               .lengths = {space.lengths.x(), space.lengths.y(), space.lengths.z()}};
   const detail::AddPairsWithin add_pairs = built(N <= detail::few ? Kernel::baseline : chosen(law)).within;
-  const detail::Columns c = filled(at.scratch, at.position.data(), factor, N);
-  return add_pairs(pair_force(law), within, c) ? add_components(c, N, force)
+  const detail::Columns c = detail::filled(at.scratch, at.position.data(), factor, N);
+  return add_pairs(pair_force(law), within, c) ? detail::add_components(c, N, force)
                                                : add_force<kinematics::Space>(law, space, at, force);
 }
 
@@ -367,7 +366,7 @@ bool add_force(const NearField& law, const kinematics::Space& space, const At<>&
   }
   detail::Columns c{};
   if (!add_many(law, at, factor, c, nullptr)) return add_those_that_feel();
-  return add_components(c, N, force);
+  return detail::add_components(c, N, force);
 }
 
 double potential_energy(const NearField& law, const kinematics::Space& space, const At<>& at) {
@@ -388,7 +387,7 @@ bool add_force_and_energy(const NearField& law, const kinematics::Space& space, 
     double sum = 0.0;
     if (add_many(law, at, Factors(law, at), c, &sum)) {
       energy += sum;
-      return add_components(c, at.mass.size(), force);
+      return detail::add_components(c, at.mass.size(), force);
     }
   }
   energy += potential_energy<kinematics::Space>(law, space, at);
@@ -440,10 +439,10 @@ bool add_close_force(const NearField& law, const kinematics::Space& domain, cons
   const Eigen::Index N = at.mass.size();
   const Factors factor(law, at);
   const ChosenPairs& close = at.scratch.close;
-  const detail::Columns c = filled(at.scratch, at.position.data(), factor.data(), N);
+  const detail::Columns c = detail::filled(at.scratch, at.position.data(), factor.data(), N);
   const detail::Chosen pairs{
       .row = close.row.data(), .partner = close.partner.data(), .n = static_cast<std::int64_t>(close.row.size())};
-  if (built(chosen(law)).chosen(pair_force(law), pairs, c)) return add_components(c, N, force);
+  if (built(chosen(law)).chosen(pair_force(law), pairs, c)) return detail::add_components(c, N, force);
   const Eigen::VectorXd factors = scaling_factors(law, at);
   bool all_full = true;
   for (std::size_t k = 0; k < close.row.size(); ++k) {

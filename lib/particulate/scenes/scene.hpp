@@ -23,7 +23,8 @@ namespace detail {
 // Outside the scene, whose own member of that name would hide what stands beside the law.
 template <class L, class D>
 double energy_of(const L& law, const D& domain, const laws::At<>& at) {
-  return potential_energy(law, domain, at);
+  if constexpr (laws::Conservative<L, D>) return potential_energy(law, domain, at);
+  return 0.0;
 }
 
 template <class L, class D>
@@ -139,6 +140,10 @@ class Scene {
   /// Whether motion and temperatures act on each other at every moment.
   static constexpr bool is_coupled = has_heat_flow || (laws::needs_temperature<Laws, D> || ...);
 
+  /// Whether a law has a potential energy: one that exerts no force has none to speak of, and counts with zero.
+  template <class L>
+  static constexpr bool has_potential = laws::Conservative<L, D> || !laws::Force<L, D>;
+
   /// Whether a law asks for velocities.
   static constexpr bool needs_velocity = ((laws::needs_velocity<Laws, D> || laws::heat_needs_velocity<Laws, D>) || ...);
   /// Whether none does. @see schemes::CoupledProblem
@@ -236,7 +241,7 @@ class Scene {
   /// @param energy  receives the potential energy [J]
   /// @return whether they have a value there
   bool total_force(const schemes::State& state, schemes::Out f, double& energy) const
-      requires(laws::Conservative<Laws, D>&&...) {
+      requires(has_potential<Laws>&&...) {
     const auto at = view(state.t, state.r, state.v, state.y);
     energy = 0.0;
     return force_of(f, [&](const auto& law, laws::Forces sum) {
@@ -253,7 +258,7 @@ class Scene {
   ///
   /// @param state  a state of this scene
   /// @return energy [J]
-  double potential_energy(const schemes::State& state) const requires(laws::Conservative<Laws, D>&&...) {
+  double potential_energy(const schemes::State& state) const requires(has_potential<Laws>&&...) {
     const laws::At<> at = places(state.t, state.r);
     return std::apply([&](const auto&... law) { return (0.0 + ... + detail::energy_of(law, domain_, at)); }, laws_);
   }

@@ -44,12 +44,4 @@ schemes::Jump jump(const SpeedLimit& law, const D&, const laws::At<laws::Velocit
   return limit_speeds(law, at, {velocity.data(), at.mass.size(), 3});
 }
 
-/// Potential energy of a speed limit: none, as it exerts no force between its jumps.
-///
-/// @return 0 [J]
-template <kinematics::Domain D>
-double potential_energy(const SpeedLimit&, const D&, const laws::At<>&) {
-  return 0.0;
-}
-
 }  // namespace particulate::swarm

@@ -38,14 +38,6 @@ bool add_heat(const Arrhenius& law, const D&, const laws::At<laws::Temperature>&
   return true;
 }
 
-/// Potential energy: none.
-///
-/// @return 0 [J]
-template <kinematics::Domain D>
-double potential_energy(const Arrhenius&, const D&, const laws::At<>&) {
-  return 0.0;
-}
-
 /// Time in which a temperature runs from one value to another.
 ///
 /// \f[ t = G(\theta) - G(\theta_0), \qquad

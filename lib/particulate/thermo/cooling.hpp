@@ -99,12 +99,4 @@ bool add_heat(const Cooling& law, const D&, const laws::At<laws::Temperature>& a
   return true;
 }
 
-/// Potential energy: none.
-///
-/// @return 0 [J]
-template <kinematics::Domain D>
-double potential_energy(const Cooling&, const D&, const laws::At<>&) {
-  return 0.0;
-}
-
 }  // namespace particulate::thermo

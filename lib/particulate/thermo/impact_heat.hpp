@@ -51,12 +51,4 @@ double dissipated_energy(const contact::ImpactRecord& impact);
 double add_heat_of_impact(const ImpactHeat& law, const laws::At<laws::Temperature>& at,
                           const contact::ImpactRecord& impact, schemes::Out heat);
 
-/// Potential energy: none.
-///
-/// @return 0 [J]
-template <kinematics::Domain D>
-double potential_energy(const ImpactHeat&, const D&, const laws::At<>&) {
-  return 0.0;
-}
-
 }  // namespace particulate::thermo

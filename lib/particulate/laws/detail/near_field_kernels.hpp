@@ -6,10 +6,6 @@
 // instructions that not every processor has. So neither header includes anything that could leave a shared inline
 // function behind: the linker would keep one copy of it for the whole program, perhaps the one with those instructions.
 
-namespace particulate::laws {
-enum class Kernel;
-}
-
 namespace particulate::laws::detail {
 
 // Strengths and exponents of attraction and repulsion, before scaling factors, and where a potential energy is zero.
@@ -80,9 +76,5 @@ extern const AddPairsWithin add_pairs_within_avx512;
 extern const AddPairsChosen add_pairs_chosen_baseline;
 extern const AddPairsChosen add_pairs_chosen_avx2;
 extern const AddPairsChosen add_pairs_chosen_avx512;
-
-// The code of a kernel for so many particles, a few of which have the same bits whatever the processor. Throws
-// std::invalid_argument if it is not available.
-AddPairs add_pairs_of(Kernel kernel, std::int64_t N);
 
 }  // namespace particulate::laws::detail
