@@ -20,12 +20,12 @@
 //!
 //! @section ch05_search_program The program
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 
 #include <particulate/identification/search.hpp>
 #include <particulate/report/progress.hpp>
+#include <particulate/report/spread.hpp>
 
 #include "ch05_identification.hpp"
 
@@ -80,18 +80,6 @@ Course follow(const HistoryCost& cost, const Search& numbers, long generations, 
   return course;
 }
 
-struct Spread {
-  double least, median, largest;
-};
-
-template <class Number>
-Spread spread_of(const std::vector<Course>& all, const Number& number) {
-  std::vector<double> numbers;
-  for (const Course& course : all) numbers.push_back(number(course));
-  std::sort(numbers.begin(), numbers.end());
-  return {numbers.front(), numbers[numbers.size() / 2], numbers.back()};
-}
-
 }  // namespace
 
 void searches(const Parameters& p, report::Chapter& chapter, report::Checks& checks) {
@@ -111,9 +99,10 @@ void searches(const Parameters& p, report::Chapter& chapter, report::Checks& che
       progress.at(++done);
     }
     for (std::size_t g = 0; g < all.front().best.size(); ++g) {
-      const Spread best = spread_of(all, [&](const Course& c) { return c.best[g]; });
-      const Spread mean = spread_of(all, [&](const Course& c) { return c.mean[g]; });
-      const Spread spent = spread_of(all, [&](const Course& c) { return static_cast<double>(c.evaluations[g]); });
+      const report::Spread best = report::spread_over(all, [&](const Course& c) { return c.best[g]; });
+      const report::Spread mean = report::spread_over(all, [&](const Course& c) { return c.mean[g]; });
+      const report::Spread spent =
+          report::spread_over(all, [&](const Course& c) { return static_cast<double>(c.evaluations[g]); });
       courses.add({variant.name, g + 1, spent.median, best.least, best.median, best.largest, mean.median});
     }
     const auto last = [](const Course& c) { return c.best.back(); };
@@ -122,10 +111,11 @@ void searches(const Parameters& p, report::Chapter& chapter, report::Checks& che
     const auto gain = [](const Course& c) { return c.best[c.best.size() / 2] / c.best.back(); };
     ends.add({variant.name, runs,
               std::count_if(all.begin(), all.end(), [&](const Course& c) { return last(c) <= goal; }),
-              spread_of(all, evaluations).median, spread_of(all, none).median, spread_of(all, last).median,
-              spread_of(all, last).largest, spread_of(all, gain).median});
+              report::spread_over(all, evaluations).median, report::spread_over(all, none).median,
+              report::spread_over(all, last).median, report::spread_over(all, last).largest,
+              report::spread_over(all, gain).median});
     if (variant.numbers.polished > 0) {
-      checks.add("polished searches: median cost at the end", spread_of(all, last).median, goal);
+      checks.add("polished searches: median cost at the end", report::spread_over(all, last).median, goal);
     }
   }
   chapter.output().write("generations", courses);

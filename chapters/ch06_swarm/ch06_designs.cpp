@@ -22,6 +22,7 @@
 #include <iterator>
 
 #include <particulate/report/progress.hpp>
+#include <particulate/report/spread.hpp>
 
 #include "ch06_swarm.hpp"
 
@@ -97,8 +98,8 @@ void write_generations(const Parameters& p, const std::vector<Tuned>& all, const
   for (const int members : sizes_of(p)) {
     const std::vector<Tuned> designs = of_size(all, members);
     for (std::size_t g = 0; g < designs.front().best.size(); ++g) {
-      const Spread best = spread_over(designs, [&](const Tuned& tuned) { return tuned.best[g]; });
-      const Spread mean = spread_over(designs, [&](const Tuned& tuned) { return tuned.mean[g]; });
+      const report::Spread best = report::spread_over(designs, [&](const Tuned& tuned) { return tuned.best[g]; });
+      const report::Spread mean = report::spread_over(designs, [&](const Tuned& tuned) { return tuned.mean[g]; });
       generations.add({members, g + 1, best.least, best.median, best.largest, mean.median});
     }
   }
@@ -116,14 +117,14 @@ void write_costs(const Parameters& p, const std::vector<Tuned>& all, report::Cha
   report::Table costs({"members", "flights for a design", "flights per second", "a generation [s]", "a design [s]"});
   for (const int members : sizes_of(p)) {
     const std::vector<Tuned> designs = of_size(all, members);
-    const double seconds = spread_over(designs, &Tuned::seconds).median;
+    const double seconds = report::spread_over(designs, &Tuned::seconds).median;
     const auto flights = static_cast<double>(designs.front().evaluations);
     const auto generations = static_cast<double>(designs.front().best.size());
     costs.add({members, flights, flights / seconds, seconds / generations, seconds});
     if (members != sizes_of(p).back()) continue;
     chapter.summary().add({"cost of a straight flight at the largest speed",
                            straight_flight(course_of(p), starts_of(members, chapter.common().seed, 1).front())});
-    chapter.summary().add({"cost of a design, median", spread_over(designs, &Tuned::cost).median});
+    chapter.summary().add({"cost of a design, median", report::spread_over(designs, &Tuned::cost).median});
     chapter.summary().add({"flights for a design", flights});
     chapter.summary().add({"flights per second", flights / seconds});
     chapter.summary().add({"seconds for a generation", seconds / generations});
@@ -146,8 +147,8 @@ void write_sizes(const Parameters& p, const std::vector<Tuned>& all, const repor
       says.push_back(seen.captions);
       lost += seen.trial.flight.lost.size();
     }
-    const auto median = [&](double Captions::*number) { return spread_over(says, number).median; };
-    sizes.add({members, spread_over(designs, &Tuned::cost).median, lost, median(&Captions::height),
+    const auto median = [&](double Captions::*number) { return report::spread_over(says, number).median; };
+    sizes.add({members, report::spread_over(designs, &Tuned::cost).median, lost, median(&Captions::height),
                median(&Captions::bunched), median(&Captions::unpacked), median(&Captions::overshoot),
                median(&Captions::undershoot), median(&Captions::distance)});
   }
@@ -181,7 +182,8 @@ void elsewhere(const Parameters& p, const std::vector<Tuned>& all, report::Chapt
   const auto add = [&](const std::vector<Tuned>& designs, int members) {
     std::vector<Elsewhere> tried;
     for (const Tuned& tuned : designs) tried.push_back(try_elsewhere(p, tuned, members));
-    const Spread lost = spread_over(tried, &Elsewhere::lost), distance = spread_over(tried, &Elsewhere::distance);
+    const report::Spread lost = report::spread_over(tried, &Elsewhere::lost),
+                         distance = report::spread_over(tried, &Elsewhere::distance);
     table.add({designs.front().members, designs.front().starts, designs.size(), members, lost.largest, lost.median,
                distance.median, distance.largest});
     return tried;

@@ -15,6 +15,7 @@
 #include <algorithm>
 
 #include <particulate/report/progress.hpp>
+#include <particulate/report/spread.hpp>
 #include <particulate/scenes/scene.hpp>
 
 #include "ch06_swarm.hpp"
@@ -109,7 +110,7 @@ void drag(const Parameters& p, const std::vector<Tuned>& designs, report::Chapte
   checks.add("designs that home in to 0.35 m without drag", near(without), p.seeds / 5);
   claim_of_own(p, chapter, "designs tuned without drag that home in to 0.35 m", near(anew), p.seeds / 5);
   claim_of_own(p, chapter, "five times the median final distance, over that without drag",
-               5.0 * spread_over(with, distance).median / spread_over(without, distance).median, 1.0);
+               5.0 * report::spread_over(with, distance).median / report::spread_over(without, distance).median, 1.0);
   checks.add("energy that drag and cap took, off what the swarm lost, over it",
              off_the_books(designs[shown], course, start, with[shown]), 5.0 * p.step);
 }

@@ -9,11 +9,9 @@
 
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -105,21 +103,6 @@ struct Seen {
 };
 
 Seen watch(const Design& design, const Course& course, const kinematics::Particles& start, const Watcher& also = {});
-
-//! Of several designs we give the median and the ends of a number, with those that have none, NaN, at the end.
-
-struct Spread {
-  double least, median, largest;
-};
-
-template <class T, class Number>
-Spread spread_over(const std::vector<T>& all, const Number& number) {
-  std::vector<double> numbers;
-  for (const T& one : all) numbers.push_back(std::invoke(number, one));
-  std::sort(numbers.begin(), numbers.end(),
-            [](double a, double b) { return a < b || (std::isnan(b) && !std::isnan(a)); });
-  return {numbers.front(), numbers[numbers.size() / 2], numbers.back()};
-}
 
 //! A page is a function. It writes its tables and adds what it claims.
 

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <functional>
+#include <utility>
+#include <vector>
+
+namespace particulate::report {
+
+/// Of several numbers the median and the ends; those that are none, NaN, stand at the end.
+struct Spread {
+  double least;    ///< the first in order
+  double median;   ///< the middle one; of an even number the second of the two
+  double largest;  ///< the last: NaN if there is one
+};
+
+/// @param numbers  one at least
+/// @return their spread
+/// @throws std::invalid_argument for none
+Spread spread_of(std::vector<double> numbers);
+
+/// The spread of a number that several things have.
+///
+/// @param all     the things, one at least
+/// @param number  a function, or a member, that gives it of each
+/// @return its spread
+/// @throws std::invalid_argument for no thing
+template <class T, class Number>
+Spread spread_over(const std::vector<T>& all, const Number& number) {
+  std::vector<double> numbers;
+  for (const T& one : all) numbers.push_back(std::invoke(number, one));
+  return spread_of(std::move(numbers));
+}
+
+}  // namespace particulate::report
