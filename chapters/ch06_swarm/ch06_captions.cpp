@@ -21,6 +21,8 @@
 #include <functional>
 #include <iterator>
 
+#include <particulate/kinematics/momentum.hpp>
+
 #include "ch06_swarm.hpp"
 
 namespace ch06 {
@@ -31,11 +33,10 @@ namespace {
 
 Moment moment_of(const schemes::State& swarm, const Course& course) {
   const schemes::VectorsOf r = schemes::positions(swarm), v = schemes::velocities(swarm);
-  const Eigen::RowVector3d centre = r.colwise().mean();
   const Eigen::ArrayXd squares = v.rowwise().squaredNorm(), capped = squares.min(course.v_max * course.v_max);
   return {.t = swarm.t,
-          .centre = centre,
-          .gyration = std::sqrt((r.rowwise() - centre).rowwise().squaredNorm().mean()),
+          .centre = r.colwise().mean(),
+          .gyration = kinematics::radius_of_gyration(r),
           .distance = (r.rowwise() - course.target.transpose()).rowwise().norm().mean(),
           .kinetic = 0.5 * capped.mean(),
           .drag = course.c_d * course.step * capped.mean(),

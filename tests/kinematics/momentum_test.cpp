@@ -102,6 +102,16 @@ BOOST_AUTO_TEST_CASE(converges_to_the_integral_with_order_two) {
 
 BOOST_AUTO_TEST_SUITE_END()
 
+BOOST_AUTO_TEST_SUITE(radius_of_gyration_)
+
+BOOST_AUTO_TEST_CASE(is_1_of_a_pair_two_apart) {
+  Vectors r(2, 3);
+  r << 3, 4, 5, 5, 4, 5;
+  BOOST_TEST(radius_of_gyration(r) == 1.0);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
 BOOST_AUTO_TEST_SUITE(lengths_of_momenta)
 
 BOOST_AUTO_TEST_CASE(that_differ_are_refused) {

@@ -59,14 +59,4 @@ BOOST_AUTO_TEST_CASE(takes_nobody_and_refuses_no_length) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-BOOST_AUTO_TEST_SUITE(radius_of_gyration_)
-
-BOOST_AUTO_TEST_CASE(is_1_of_a_pair_two_apart) {
-  kinematics::Vectors r(2, 3);
-  r << 3, 4, 5, 5, 4, 5;
-  BOOST_TEST(radius_of_gyration(r) == 1.0);
-}
-
-BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace tests::clusters_test

@@ -1,5 +1,7 @@
 #include <particulate/kinematics/momentum.hpp>
 
+#include <cmath>
+
 #include <stdexcept>
 
 #include <Eigen/Geometry>
@@ -27,6 +29,11 @@ Eigen::Vector3d moment(const VectorsIn& position, const VectorsIn& force) {
 Eigen::Vector3d centre_of_mass(const ScalarsIn& mass, const VectorsIn& of) {
   if (mass.size() == 0) throw std::invalid_argument("centre of mass: there must be at least one particle, got none");
   return linear_momentum(mass, of) / mass.sum();
+}
+
+double radius_of_gyration(const VectorsIn& position) {
+  const Eigen::RowVector3d centre = position.colwise().mean();
+  return std::sqrt((position.rowwise() - centre).rowwise().squaredNorm().mean());
 }
 
 Vectors impulse_between(const VectorsIn& force_1, const VectorsIn& force_2, double dt) {

@@ -49,6 +49,15 @@ Eigen::Vector3d moment(const VectorsIn& position, const VectorsIn& force);
 /// @throws std::invalid_argument if there is no particle
 Eigen::Vector3d centre_of_mass(const ScalarsIn& mass, const VectorsIn& of);
 
+/// Radius of gyration of bodies that count alike,
+///
+/// \f[ R_g^2 = \frac1n \sum_i \|r_i - \bar r\|^2 . \f]
+///
+/// @equation{R 6.3}
+/// @param position  r_i, in unbounded space, N x 3 [m]
+/// @return R_g [m]
+double radius_of_gyration(const VectorsIn& position);
+
 /// Impulse of the forces on a set of particles over a short time, by the trapezoidal rule.
 ///
 /// \f[ \sum_i \int_{t_1}^{t_2} \Psi_i\, dt \approx \sum_i \tfrac12 (\Psi_i^1 + \Psi_i^2)(t_2 - t_1), \qquad

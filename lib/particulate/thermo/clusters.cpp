@@ -68,9 +68,4 @@ Clusters find_clusters(const kinematics::Space& domain, const kinematics::Vector
   return found;
 }
 
-double radius_of_gyration(const kinematics::VectorsIn& position) {
-  const Eigen::RowVector3d centre = position.colwise().mean();
-  return std::sqrt((position.rowwise() - centre).rowwise().squaredNorm().mean());
-}
-
 }  // namespace particulate::thermo

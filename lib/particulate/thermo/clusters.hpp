@@ -29,13 +29,4 @@ struct Clusters {
 /// @throws std::invalid_argument for a length that cannot be meant
 Clusters find_clusters(const kinematics::Space& domain, const kinematics::VectorsIn& position, double link);
 
-/// Radius of gyration of bodies that count alike,
-///
-/// \f[ R_g^2 = \frac1n \sum_i \|r_i - \bar r\|^2 . \f]
-///
-/// @equation{D 7.2}
-/// @param position  r_i, in unbounded space, N x 3 [m]
-/// @return R_g [m]
-double radius_of_gyration(const kinematics::VectorsIn& position);
-
 }  // namespace particulate::thermo
