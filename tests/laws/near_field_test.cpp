@@ -874,13 +874,22 @@ Eigen::Vector3d separation(const Hidden& hidden, const Eigen::Vector3d& from, co
 
 BOOST_AUTO_TEST_CASE(must_be_positive_and_the_taper_within_it) {
   BOOST_CHECK_NO_THROW(validate(ending(1.0, 0.0)));
-  BOOST_CHECK_NO_THROW(validate(ending(1.0, 1.0)));
+  BOOST_CHECK_NO_THROW(validate(NearField{.alpha1 = 0.5, .cutoff = 1.0, .taper = 1.0}));
   CHECK_REFUSED(validate(ending(0.0, 0.0)), "near field: cutoff must be positive, got 0 m; leave it out");
   CHECK_REFUSED(validate(ending(not_a_number, 0.0)), "near field: cutoff must be positive, got nan m");
   for (const double bad : {-0.1, 1.1, not_a_number}) {
     CHECK_REFUSED(validate(ending(1.0, bad)), "near field: taper must lie between 0 and the cutoff");
   }
   CHECK_REFUSED(validate(ending(infinity, 0.1)), "needs a finite one, got 0.1 m with cutoff inf m");
+  // d_e = 0.5 m, d* = 1 m. At d* and beyond is allowed, and so is any cut-off without attraction or equilibrium.
+  CHECK_REFUSED(validate(ending(0.5, 0.0)),
+                "cutoff - taper > d_e, or nothing attracts; got cutoff d_c = 0.5 m and taper w = 0 m");
+  CHECK_REFUSED(validate(ending(0.9, 0.4)), "equilibrium distance d_e = 0.5 m");
+  CHECK_REFUSED(validate(ending(0.9, 0.4)), "up to the inflection d* = 1 m");
+  validate(ending(0.9, 0.39));
+  validate(ending(2.0, 0.5));
+  validate(NearField{.alpha2 = 0.25, .cutoff = 0.01});
+  validate(NearField{.alpha1 = 0.5, .cutoff = 0.01});
 }
 
 BOOST_AUTO_TEST_CASE(must_be_within_half_the_shortest_period) {

@@ -426,7 +426,7 @@ BOOST_AUTO_TEST_CASE(periods_let_bodies_meet_across_a_corner) {
 BOOST_AUTO_TEST_CASE(continued_by_a_copy_has_the_same_bits) {
   const Particles cloud = random_cloud(300, {1.0, 1.0, 1.0}, 0.02, 0.04);
   NearField near = monograph;
-  near.cutoff = 0.2, near.taper = 0.1, near.alpha1 = near.alpha2 = 1e-6;
+  near.cutoff = 0.2, near.taper = 0.1, near.alpha1 = 1e-6, near.alpha2 = 1e-8;
   const Scene scene(cloud, Space{.walls = {Wall{}}, .lengths = {1.0, 1.0, infinity}}, near,
                     Contact<>{.restitution = {0.9}});
   const auto run = [](const auto& whose, State& state, double t_end) {

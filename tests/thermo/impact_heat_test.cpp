@@ -41,6 +41,31 @@ BOOST_AUTO_TEST_CASE(is_that_of_the_reduced_mass) {
   BOOST_TEST(thermo::dissipated_energy(impact) == 1.125, tolerance(1e-15));
 }
 
+// An impact that lasts 0.15 s, while other forces press 1 kg and 3 kg together with 1 m/s^2: Delta_1 = 0.1 m/s over the
+// compression and e Delta_1 = 0.05 m/s over the recovery, so q_n = 1/2 (3/4) 2.1 (2 - 0.5 (1.05 - 0.05)) = 1.18125 J.
+struct Presses {};
+template <kinematics::Domain D>
+bool add_force(const Presses&, const D&, const laws::At<>& at, laws::Forces force) {
+  force.col(0) += 0.5 * Eigen::Vector2d(at.mass[0], -at.mass[1]);
+  return true;
+}
+BOOST_AUTO_TEST_CASE(counts_the_work_of_other_forces_where_an_impact_lasts) {
+  const auto two =
+      kinematics::particles({{.position = {0.0, 0.0, 0.0}, .velocity = {1.0, 0.0, 0.0}, .mass = 1.0, .radius = 0.5},
+                             {.position = {1.0, 0.0, 0.0}, .velocity = {-1.0, 0.0, 0.0}, .mass = 3.0, .radius = 0.5}});
+  double q = 0.0;
+  const scenes::Scene scene(
+      two, Space{},
+      Contact<ConstantRestitution>{
+          .restitution = {0.5},
+          .gamma = 0.15,
+          .recorder = [&](const contact::ImpactRecord& one) { q += thermo::dissipated_energy(one); }},
+      Presses{});
+  schemes::State state = scenes::start(scene);
+  BOOST_TEST(scene.jump(state, 1.0).impacts == 1);
+  BOOST_TEST(q == 1.18125, tolerance(1e-15));
+}
+
 BOOST_AUTO_TEST_SUITE_END()
 BOOST_AUTO_TEST_SUITE(add_heat_of_impact_)
 

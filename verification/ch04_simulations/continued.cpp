@@ -36,7 +36,7 @@ struct Left {
 // From the start, or from a mark: a scene, a scheme and a control of its own, which know nothing of the other's lists.
 template <class Law, class S, class C>
 Left go(const Law& law, S scheme, C control, const std::string& mark = {}) {
-  const laws::NearField field{.alpha1 = 0.1, .alpha2 = 0.05, .cutoff = 0.3, .taper = 0.1};
+  const laws::NearField field{.alpha1 = 0.1, .alpha2 = 0.01, .cutoff = 0.3, .taper = 0.1};
   const kinematics::Space periods{.lengths = Eigen::Vector3d::Ones()};
   scenes::Scene scene(book_cloud(N, 1, periods), periods, field, law);
   scenes::History history(scene, schemes::multiples(0.013, 0.0, t_end));

@@ -26,7 +26,7 @@ namespace verification::cloud_extremes {
 using namespace particulate;
 
 const kinematics::Space periods{.lengths = Eigen::Vector3d::Ones()};
-const laws::NearField cut_off{.alpha1 = 0.1, .alpha2 = 0.05, .cutoff = 0.3, .taper = 0.1};
+const laws::NearField cut_off{.alpha1 = 0.1, .alpha2 = 0.01, .cutoff = 0.3, .taper = 0.1};
 
 template <class Scene>
 schemes::Outcome flown(const Scene& scene, schemes::State& state, double t_end, double step) {

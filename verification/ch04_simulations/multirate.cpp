@@ -224,7 +224,7 @@ const Case extremes{
         return against_sundials(all, weak);
       });
       rows.must_be_refused("a cut-off", "to be split into close pairs",
-                           [&] { return against_sundials(some(5), {.alpha1 = 0.1, .alpha2 = 0.1, .cutoff = 0.5}); });
+                           [&] { return against_sundials(some(5), {.alpha1 = 0.1, .alpha2 = 0.04, .cutoff = 0.5}); });
       rows.must_be_refused("two in one place", "are 0 m apart", [&] {
         kinematics::Particles all = some(5);
         all.position.row(1) = all.position.row(0);

@@ -150,7 +150,7 @@ const Case all_pairs{
      .reference = Reference::independent_method},
     [](Rows& rows) {
       for (const auto& [name, domain, box, sizes] : surroundings) {
-        const laws::NearField law{.alpha1 = 0.5, .alpha2 = 0.25, .cutoff = 0.19, .taper = 0.08};
+        const laws::NearField law{.alpha1 = 0.5, .alpha2 = 0.05, .cutoff = 0.19, .taper = 0.08};
         Moment cloud = crowd(rows.case_seed(), rows.quick() ? 500 : 2000, domain, box, sizes);
         const Images exact = by_all_images(cloud, law);
         const contact::Touching found = cloud.touching();
@@ -206,7 +206,7 @@ const Case ages{
      .reference = Reference::identity},
     [](Rows& rows) {
       for (const auto& [name, domain, box, sizes] : surroundings) {
-        const laws::NearField law{.alpha1 = 0.5, .alpha2 = 0.25, .cutoff = 0.15, .taper = 0.05};
+        const laws::NearField law{.alpha1 = 0.5, .alpha2 = 0.04, .cutoff = 0.15, .taper = 0.05};
         Moment aged = crowd(rows.case_seed(), 400, domain, box, sizes);
         const long moments = rows.quick() ? 60 : 300;
         long forces = 0, contacts = 0;

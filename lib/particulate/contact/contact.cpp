@@ -110,6 +110,10 @@ std::string without_direction(const Touching& touching) {
       lost->i, lost->j);
 }
 
+schemes::Jump undirected(const Touching& touching) {
+  return {.overlap = touching.overlap, .penetration = touching.penetration, .unsettled = without_direction(touching)};
+}
+
 void set_accelerations(Touching& touching, const Eigen::VectorXd& inverse_mass, schemes::In force) {
   const Eigen::Map<const kinematics::Vectors> f(force.data(), inverse_mass.size(), 3);
   for (Touch& touch : touching.contacts) {

@@ -93,6 +93,7 @@ double potential_energy(const Contact<R, F>&, const D&, const laws::At<>&) {
 struct Touching {
   std::vector<Touch> contacts;  ///< pairs and walls that touch or overlap
   double overlap = 0.0;         ///< largest depth among them [m]
+  double penetration = 0.0;     ///< largest depth over the smaller diameter of its two bodies [-]
   bool directed = true;         ///< false: two centres coincide, so the direction of their contact is not finite
 };
 
@@ -128,6 +129,12 @@ struct ClosedGap {
 
 namespace detail {
 
+// Of two bodies; a point and a wall have none.
+inline double smaller_diameter(const Eigen::VectorXd& radius, Eigen::Index i, Eigen::Index j) {
+  const double b_i = radius[i], b_j = j < 0 ? 0.0 : radius[j];
+  return 2.0 * (b_i > 0.0 && b_j > 0.0 ? std::min(b_i, b_j) : std::max(b_i, b_j));
+}
+
 // The spheres that touch each other or a wall, among all pairs {i, j > i} that behind(i, visit) visits with j.
 template <kinematics::Domain D, class Behind>
 Touching find_touching(const D& domain, const laws::At<laws::Velocity>& at, const ClosedGap& tolerance,
@@ -136,6 +143,7 @@ Touching find_touching(const D& domain, const laws::At<laws::Velocity>& at, cons
   const auto add = [&](Eigen::Index i, Eigen::Index j, double depth, const Eigen::Vector3d& n) {
     found.directed = found.directed && n.allFinite();
     found.overlap = std::max(found.overlap, depth);
+    if (depth > 0.0) found.penetration = std::max(found.penetration, depth / smaller_diameter(at.radius, i, j));
     found.contacts.push_back({.i = i, .j = j, .n = n, .overlap = depth});
   };
   const bool exact = tolerance.is_none();
@@ -226,6 +234,10 @@ bool any_approach(const Touching& touching, const laws::At<laws::Velocity>& at);
 /// @return the reason, with their numbers and what to do
 std::string without_direction(const Touching& touching);
 
+/// @param touching  contacts of which one has no direction
+/// @return the jump that could not be completed for it
+schemes::Jump undirected(const Touching& touching);
+
 /// Gives every contact the relative acceleration of its bodies by the other forces.
 ///
 /// @param touching      contacts; receives the accelerations
@@ -259,6 +271,7 @@ schemes::Jump exchange_impulses(const L& law, double duration, const laws::At<la
   return {.impacts = done.impacts,
           .energy_change = done.energy_change,
           .overlap = touching.overlap,
+          .penetration = touching.penetration,
           .unsettled = done.unsettled};
 }
 
@@ -275,7 +288,7 @@ schemes::Jump exchange_impulses(const L& law, double duration, const laws::At<la
 template <class R, class F>
 schemes::Jump resolve_impacts(const Contact<R, F>& law, const laws::At<laws::Velocity>& at, Touching touching,
                               schemes::In force, double dt, schemes::Out velocity) {
-  if (!touching.directed) return {.overlap = touching.overlap, .unsettled = without_direction(touching)};
+  if (!touching.directed) return undirected(touching);
   if (law.gamma == 0.0 && law.resolution == Resolution::sequential) {
     set_accelerations(touching, at.inverse_mass, force);
     hold(touching, dt);

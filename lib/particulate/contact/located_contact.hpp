@@ -140,7 +140,7 @@ std::optional<double> first_impact(const LocatedContact<R, F>& law, const D& dom
 template <class R, class F>
 schemes::Jump resolve_impacts(const LocatedContact<R, F>& law, const laws::At<laws::Velocity>& at, Touching touching,
                               schemes::In force, double, schemes::Out velocity) {
-  if (!touching.directed) return {.overlap = touching.overlap, .unsettled = without_direction(touching)};
+  if (!touching.directed) return undirected(touching);
   schemes::Jump jump = exchange_impulses(law, 0.0, at, touching, force, velocity);
   if (!jump.unsettled.empty()) return jump;
   const auto to_come = [&](double speed) { return speeds_to_come(law.restitution, speed); };

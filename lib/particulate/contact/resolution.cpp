@@ -219,7 +219,8 @@ struct Action {
 // Books impulses that acted together: each works on the mean of the relative velocities before and after, which no
 // common motion of the bodies enters. A body that nothing moves keeps its own energy: what it gives the other is
 // gained.
-void book(const ImpactRecorder& recorder, const Motions& motions, std::vector<Action>& actions, Resolved& done) {
+void book(const ImpactRecorder& recorder, const Motions& motions, double duration, std::vector<Action>& actions,
+          Resolved& done) {
   for (const auto& [touch, impulse, before] : actions) {
     const Eigen::Vector3d after = motions.relative(*touch);
     const Body i = motions.body(touch->i), j = motions.body(touch->j);
@@ -229,9 +230,18 @@ void book(const ImpactRecorder& recorder, const Motions& motions, std::vector<Ac
     done.energy_change += impulse.total(touch->n).dot(seen);
     done.largest_impulse = std::max(done.largest_impulse, -impulse.normal);
     if (impulse.normal < 0.0) ++done.impacts;
-    if (recorder) recorder({touch->i, touch->j, touch->n, std::abs(impulse.normal), impulse.tangential, before, after});
+    if (recorder) {
+      recorder({touch->i, touch->j, touch->n, std::abs(impulse.normal), impulse.tangential, before, after,
+                duration * touch->acceleration});
+    }
   }
   actions.clear();
+}
+
+// How long the other forces act meanwhile: what holds takes no time, whatever friction looks ahead.
+template <class R, class F>
+double lasts(const ContactResolver<R, F>& law, double duration) {
+  return law.holding ? 0.0 : duration;
 }
 
 // All impulses from the velocities before, each as if alone, then added.
@@ -248,7 +258,7 @@ void resolve_each(const ContactResolver<R, F>& law, Motions& motions, const std:
                        i.velocity - j.velocity});
   }
   for (const Action& action : actions) motions.push(*action.touch, action.impulse.total(action.touch->n));
-  book(law.recorder, motions, actions, done);
+  book(law.recorder, motions, lasts(law, duration), actions, done);
 }
 
 // Contacts that hang together, and what they have exchanged at this moment.
@@ -325,7 +335,7 @@ bool rub(const ContactResolver<R, Friction>& law, Motions& motions, Cluster& clu
     if (cluster.impulses[k].normal < 0.0) pushed.push_back(k);
   }
   if (pushed.size() > actions.size()) {
-    book(law.recorder, motions, actions, done);
+    book(law.recorder, motions, lasts(law, duration), actions, done);
     for (const std::size_t k : pushed) {
       actions.push_back({&cluster.contacts[k], {}, motions.relative(cluster.contacts[k])});
     }
@@ -454,7 +464,7 @@ void settle(const ContactResolver<R, F>& law, Motions& motions, std::vector<Touc
       return;
     }
     if (rubs) work += work_of(2 * cluster.contacts.size());  // each in two directions
-    book(law.recorder, motions, actions, done);
+    book(law.recorder, motions, lasts(law, duration), actions, done);
     if (!rubs) continue;
     meetings = meetings_of(law, motions, cluster.contacts, duration);
     pressed = fastest_met(meetings);

@@ -44,6 +44,7 @@ struct ImpactRecord {
   Eigen::Vector3d tangential = Eigen::Vector3d::Zero();  ///< impulse of friction on i, across n [N s]
   Eigen::Vector3d before = Eigen::Vector3d::Zero();      ///< velocity of i as seen from j, before it [m/s]
   Eigen::Vector3d after = Eigen::Vector3d::Zero();       ///< and after it, with those resolved together [m/s]
+  Eigen::Vector3d meanwhile = Eigen::Vector3d::Zero();   ///< change of it by the other forces over gamma Dt [m/s]
 };
 
 /// Is told of every impact; empty: nobody is.

@@ -102,7 +102,7 @@ double equilibrium_distance(const CentralForce& law) {
 
 double inflection_distance(const CentralForce& law) {
   const double d_e = equilibrium_distance(law);
-  if (law.beta1 == 0.0) return std::numeric_limits<double>::infinity();
+  if (law.beta1 <= 0.0) return std::numeric_limits<double>::infinity();
   return std::pow(law.beta2 / law.beta1, 1.0 / (law.beta2 - law.beta1)) * d_e;
 }
 

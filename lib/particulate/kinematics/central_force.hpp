@@ -108,7 +108,7 @@ double equilibrium_distance(const CentralForce& law);
 ///
 /// @equation{D 7.3}
 /// @param law  constants that validate() accepts, with an equilibrium
-/// @return d*; infinite where beta1 is zero, as the attraction then never falls [m]
+/// @return d*; infinite where beta1 <= 0, as the attraction then never falls [m]
 /// @throws std::invalid_argument as equilibrium_distance()
 double inflection_distance(const CentralForce& law);
 

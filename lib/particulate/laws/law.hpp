@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/SparseCore>
+
 #include <particulate/kinematics/domain.hpp>
 #include <particulate/kinematics/particles.hpp>
 #include <particulate/laws/neighbours.hpp>
@@ -133,6 +135,17 @@ concept AddsHeat = AddsHeatGiven<L, D, At<Temperature>> || AddsHeatGiven<L, D, A
 /// Whether the heat of a law asks for velocities.
 template <class L, class D>
 inline constexpr bool heat_needs_velocity = AddsHeat<L, D> && !AddsHeatGiven<L, D, At<Temperature>>;
+
+/// How heat flows change with temperatures, entry by entry: \f$ \partial \dot Q_i/\partial \theta_j \f$ [W/K].
+using HeatSlopes = std::vector<Eigen::Triplet<double>>;
+
+/// A law that knows the slopes of its heat: `add_heat_slopes(law, domain, at, slopes)` appends them, of a view with
+/// velocities and temperatures.
+template <class L, class D>
+concept HasHeatSlopes = AddsHeat<L, D> &&
+    requires(const L& law, const D& domain, const At<Velocity, Temperature>& at, HeatSlopes& slopes) {
+  add_heat_slopes(law, domain, at, slopes);
+};
 
 /// A law whose force falls into a part of few pairs, which changes fast, and the rest: `choose_close(law, domain, at,
 /// dt)` chooses the pairs for a step of size dt that starts there, in the scratch, and returns whether it could;

@@ -175,6 +175,25 @@ detail::AddPairs detail::add_pairs_of(Kernel kernel, std::int64_t N) {
   return built(kernel == Kernel::best ? best_kernel() : kernel).all;
 }
 
+namespace {
+
+// Where attraction and repulsion hold particles apart, the whole of both must act there: below d_e nothing attracts.
+void validate_cutoff(const NearField& law) {
+  const bool holds = law.alpha1 > 0.0 && law.alpha2 > 0.0 && law.beta2 > law.beta1;
+  if (!std::isfinite(law.cutoff) || !holds) return;
+  const kinematics::CentralForce pair = pair_law(law, 1.0, 1.0);
+  const double d_e = kinematics::equilibrium_distance(pair);
+  if (law.cutoff - law.taper > d_e) return;
+  throw std::invalid_argument(fmt::format(
+      "near field: it must act whole beyond its equilibrium distance d_e = {} m, cutoff - taper > d_e, or nothing "
+      "attracts; got cutoff d_c = {} m and taper w = {} m: put the taper behind d_e, and up to the inflection d* = {} "
+      "m "
+      "if the law is to stay convex along the line of centres",
+      d_e, law.cutoff, law.taper, kinematics::inflection_distance(pair)));
+}
+
+}  // namespace
+
 void validate(const NearField& law) {
   validate(kinematics::CentralForce{.alpha1 = law.alpha1, .alpha2 = law.alpha2});
   for (const auto& [constant, beta] : {std::pair{"beta1", law.beta1}, {"beta2", law.beta2}}) {
@@ -200,6 +219,7 @@ void validate(const NearField& law) {
         "near field: taper must lie between 0 and the cutoff, and needs a finite one, got {} m with cutoff {} m",
         law.taper, law.cutoff));
   }
+  validate_cutoff(law);
   if (!is_available(law.kernel)) throw std::invalid_argument(refusal(law.kernel));
 }
 

@@ -58,7 +58,8 @@ struct NearField {
   double d_ref = 1.0;               ///< distance at which a pair's potential energy is zero, > 0 [m]
   Scaling scaling = Scaling::mass;  ///< what the strengths are counted per; units of the strengths follow it
   Kernel kernel = Kernel::best;     ///< what adds the forces in Space
-  /// d_c, at which the force ends; infinite: nowhere [m]
+  /// d_c, at which the force ends; infinite: nowhere. With both attraction and repulsion d_c - w must lie beyond their
+  /// equilibrium. Beyond the inflection, d_c > d*, the pair law is no longer convex, which every fluid needs [m]
   double cutoff = std::numeric_limits<double>::infinity();
   double taper = 0.0;  ///< w, over which it ends, up to d_c; 0: at once [m]
   int threads = 1;     ///< that share all pairs in Space, 1 to 1024; the same bits for any number [-]

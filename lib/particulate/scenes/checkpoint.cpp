@@ -49,9 +49,13 @@ std::span<const double> numbers_of(const Eigen::VectorXd& x) { return {x.data(),
 // Counts are whole numbers that a double holds.
 std::vector<double> numbers_of(const schemes::Outcome& of) {
   const auto count = [](long n) { return static_cast<double>(n); };
-  std::vector<double> all = {count(of.steps),   count(of.rejections), count(of.sweeps), count(of.evaluations),
-                             count(of.impacts), of.contraction,       of.overlap,       of.overlap_at_start,
-                             of.travel,         of.energy_change,     of.heat,          of.released};
+  std::vector<double> all = {count(of.steps),   count(of.rejections),
+                             count(of.sweeps),  count(of.evaluations),
+                             count(of.impacts), of.contraction,
+                             of.overlap,        of.overlap_at_start,
+                             of.travel,         of.energy_change,
+                             of.heat,           of.released,
+                             of.penetration,    count(of.contacts_at_start)};
   for (const schemes::JumpShare& share : of.jumps_by_law) {
     all.insert(all.end(), {count(share.impacts), share.energy_change});
   }
@@ -125,7 +129,7 @@ class Records {
 
 schemes::Outcome outcome_from(const Records& records, double t) {
   const std::vector<double> all = records.numbers("outcome");
-  if (all.size() < 12 || all.size() % 2 != 0) records.refuse();
+  if (all.size() < 14 || all.size() % 2 != 0) records.refuse();
   const auto count = [&](std::size_t k) { return static_cast<long>(all[k]); };
   schemes::Outcome outcome{.t = t,
                            .steps = count(0),
@@ -136,12 +140,14 @@ schemes::Outcome outcome_from(const Records& records, double t) {
                            .contraction = all[5],
                            .overlap = all[6],
                            .overlap_at_start = all[7],
+                           .contacts_at_start = count(13),
+                           .penetration = all[12],
                            .travel = all[8],
                            .energy_change = all[9],
                            .heat = all[10],
                            .released = all[11],
                            .ruled = records.text("ruled")};
-  for (std::size_t k = 12; k < all.size(); k += 2) {
+  for (std::size_t k = 14; k < all.size(); k += 2) {
     outcome.jumps_by_law.push_back({.impacts = count(k), .energy_change = all[k + 1]});
   }
   return outcome;

@@ -13,14 +13,12 @@ namespace particulate::scenes {
 namespace {
 
 // What memory() writes before the rows.
-constexpr std::size_t counts = 3;
+constexpr std::size_t counts = 5;
 
 }  // namespace
 
 History::History(const kinematics::Particles& particles, std::vector<double> times)
-    : particles_(&particles), all_times_(times), times_(std::move(times)) {
-  name_columns();
-}
+    : particles_(&particles), all_times_(times), times_(std::move(times)) {}
 
 void History::name_columns() {
   columns_ = {"time [s]", "bulk [J/kg]", "relative [J/kg]"};
@@ -29,6 +27,8 @@ void History::name_columns() {
        {"lost [J/kg]", "momentum x [kg m/s]", "momentum y [kg m/s]", "momentum z [kg m/s]", "impacts", "overlap [m]"}) {
     columns_.emplace_back(further);
   }
+  if (!has_temperatures_) return;
+  for (const char* further : {"heat [J/kg]", "released [J/kg]", "temperature [K]"}) columns_.emplace_back(further);
 }
 
 void History::add_row(const schemes::State& at) {
@@ -41,12 +41,15 @@ void History::add_row(const schemes::State& at) {
   values_.insert(values_.end(), {at.t, kinetic.bulk, kinetic.relative});
   if (potential_) values_.push_back(potential_(at) / mass);
   values_.insert(values_.end(), {lost_ / mass, momentum[0], momentum[1], momentum[2], impacts_, overlap_});
+  if (has_temperatures_) { values_.insert(values_.end(), {heat_ / mass, released_ / mass, empty ? 0.0 : at.y.mean()}); }
 }
 
 void History::jumped(const schemes::State& after, const schemes::Jump& jump) {
   impacts_ += static_cast<double>(jump.impacts);
   lost_ -= jump.energy_change;
   overlap_ = std::max(overlap_, jump.overlap);
+  heat_ += jump.heat;
+  released_ += jump.released;
   // The row of the state before it.
   if (values_.empty() || rows()(rows().rows() - 1, 0) != after.t) return;
   values_.resize(values_.size() - columns_.size());
@@ -59,7 +62,7 @@ History::Rows History::rows() const {
 }
 
 std::vector<double> History::memory() const {
-  std::vector<double> all = {impacts_, lost_, overlap_};
+  std::vector<double> all = {impacts_, lost_, overlap_, heat_, released_};
   all.insert(all.end(), values_.begin(), values_.end());
   return all;
 }
@@ -77,6 +80,8 @@ void History::remember(const std::vector<double>& memory) {
   impacts_ = memory[0];
   lost_ = memory[1];
   overlap_ = memory[2];
+  heat_ = memory[3];
+  released_ = memory[4];
   const auto begin = memory.begin() + counts;
   values_.assign(begin, memory.end());
   const auto left = all_times_.begin() + static_cast<std::ptrdiff_t>(values / width);

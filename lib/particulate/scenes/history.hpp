@@ -18,14 +18,15 @@ namespace particulate::scenes {
 ///
 /// Energies are those of all particles over their mass, so that the monograph's Figures 4.2 and 4.3 are columns:
 ///
-/// | Column | Holds |
-/// | :--- | :--- |
-/// | `time [s]` | the time of the row |
-/// | `bulk [J/kg]`, `relative [J/kg]` | kinetic energy of the motion of the whole, and about it: split_kinetic_energy()
-/// | | `potential [J/kg]` | of all laws; only of a scene in which each has one | | `lost [J/kg]` | kinetic energy that
-/// impacts, and other jumps, took so far: it closes the books | | `momentum x [kg m/s]` and `y`, `z` |
-/// linear_momentum() | | `impacts` | pairs that exchanged an impulse so far | | `overlap [m]` | the deepest overlap at
-/// the end of a step so far |
+/// - `time [s]`: the time of the row
+/// - `bulk [J/kg]`, `relative [J/kg]`: kinetic energy of the motion of the whole, and about it: split_kinetic_energy()
+/// - `potential [J/kg]`: of all laws; only of a scene in which each has one
+/// - `lost [J/kg]`: kinetic energy that impacts, and other jumps, took so far: it closes the books
+/// - `momentum x [kg m/s]` and `y`, `z`: linear_momentum()
+/// - `impacts`: pairs that exchanged an impulse so far
+/// - `overlap [m]`: the deepest overlap at the end of a step so far
+/// - `heat [J/kg]`, `released [J/kg]`, `temperature [K]`, only with temperatures: thermal energy that impacts added so
+///   far, chemical energy of which it came, and the mean temperature of the particles
 ///
 /// A row at the end of a step is written after its jump, so that the last one agrees with the Outcome. A row inside a
 /// step is dense output, of whose order it is. To do more at other times, wrap it: `Sampling(times, receive,
@@ -39,8 +40,9 @@ class History {
   History(const Scene<D, Laws...>& scene, std::vector<double> times) : History(scene.particles(), std::move(times)) {
     if constexpr (requires(const schemes::State& at) { scene.potential_energy(at); }) {
       potential_ = [&scene](const schemes::State& at) { return scene.potential_energy(at); };
-      name_columns();
     }
+    has_temperatures_ = Scene<D, Laws...>::has_temperatures;
+    name_columns();
   }
   /// A scene that ends with its line has no history that outlives it.
   template <kinematics::Domain D, class... Laws>
@@ -89,7 +91,8 @@ class History {
   schemes::detail::SampleTimes times_;
   std::vector<std::string> columns_;
   std::vector<double> values_;  // row by row
-  double impacts_ = 0.0, lost_ = 0.0, overlap_ = 0.0;
+  bool has_temperatures_ = false;
+  double impacts_ = 0.0, lost_ = 0.0, overlap_ = 0.0, heat_ = 0.0, released_ = 0.0;
 };
 
 }  // namespace particulate::scenes

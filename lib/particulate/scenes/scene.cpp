@@ -19,6 +19,7 @@ void add_jump(schemes::Jump one, schemes::Jump& all) {
   all.heat += one.heat;
   all.released += one.released;
   all.overlap = std::max(all.overlap, one.overlap);
+  all.penetration = std::max(all.penetration, one.penetration);
   all.travel = std::max(all.travel, one.travel);
   all.evaluations += one.evaluations;
   all.by_law.push_back({.impacts = one.impacts, .energy_change = one.energy_change});

@@ -193,8 +193,46 @@ class Scene {
   /// @return whether all have a finite value there: not where a temperature is negative
   bool rates(double t, schemes::In r, schemes::In v, schemes::In y, schemes::Out a,
              schemes::Out dy) const requires is_coupled {
-    const auto at = view(t, r, v, y);
-    return (y.array() >= 0.0).all() && force(at, a) && divide_by_mass(a) && heat(at, dy);
+    return motion_rates(t, r, v, y, a) && temperature_rates(t, r, v, y, dy);
+  }
+  /// The accelerations of rates() alone, as of a field whose temperatures are frozen.
+  ///
+  /// @param t  time [s]
+  /// @param r  positions, 3 N numbers, column by column [m]
+  /// @param v  velocities, as long as r; not looked at where no law asks for them [m/s]
+  /// @param y  temperatures, N numbers [K]
+  /// @param a  receives the accelerations, as long as r [m/s^2]
+  /// @return whether all have a finite value there
+  bool motion_rates(double t, schemes::In r, schemes::In v, schemes::In y, schemes::Out a) const requires is_coupled {
+    return (y.array() >= 0.0).all() && force(view(t, r, v, y), a) && divide_by_mass(a);
+  }
+  /// The rates of the temperatures alone, as of a field whose places are frozen.
+  ///
+  /// @param t   time [s]
+  /// @param r   positions, 3 N numbers, column by column [m]
+  /// @param v   velocities, as long as r; not looked at where no law asks for them [m/s]
+  /// @param y   temperatures, N numbers [K]
+  /// @param dy  receives the rates, N numbers; empty where temperatures change by impacts alone [K/s]
+  /// @return whether all have a finite value there: not where a temperature is negative
+  bool temperature_rates(double t, schemes::In r, schemes::In v, schemes::In y,
+                         schemes::Out dy) const requires is_coupled {
+    return (y.array() >= 0.0).all() && heat(view(t, r, v, y), dy);
+  }
+  /// How these rates change with the temperatures, where every law that heats knows it.
+  ///
+  /// @param t  time [s]
+  /// @param r  positions, 3 N numbers, column by column [m]
+  /// @param v  velocities, as long as r [m/s]
+  /// @param y  temperatures, N numbers [K]
+  /// @param J  receives \f$ \partial \dot\theta_i/\partial \theta_j \f$, N x N [1/s]
+  void temperature_jacobian(double t, schemes::In r, schemes::In v, schemes::In y, schemes::SparseJacobian& J) const
+      requires(has_heat_flow && ((!laws::AddsHeat<Laws, D> || laws::HasHeatSlopes<Laws, D>)&&...)) {
+    const laws::At<laws::Velocity, laws::Temperature> at{moving(t, r, v), temperatures(y)};
+    laws::HeatSlopes slopes;
+    std::apply([&](const auto&... law) { (add_slopes(law, at, slopes), ...); }, laws_);
+    J.resize(y.size(), y.size());
+    J.setFromTriplets(slopes.begin(), slopes.end());
+    J = Eigen::VectorXd((particles_.mass.array() * particles_.heat_capacity.array()).inverse()).asDiagonal() * J;
   }
   /// @return one range, of temperatures @see schemes::HasRanges
   std::vector<schemes::Range> ranges() const requires has_temperatures {
@@ -372,12 +410,15 @@ class Scene {
   template <class L>
   schemes::Jump impacts_by(const L& law, const laws::At<laws::Velocity>& here, schemes::State& state, double dt) const {
     contact::Touching touching = contact::find_touching(domain_, here, detail::tolerance_of(law));
-    if (!contact::any_approach(touching, here)) return {.overlap = touching.overlap, .unsettled = {}};
+    if (!contact::any_approach(touching, here)) {
+      return {.overlap = touching.overlap, .penetration = touching.penetration, .unsettled = {}};
+    }
     Eigen::VectorXd &others = scratch_.others, &after = scratch_.after;
     others.resize(state.r.size());
     if (!total_force(state, others)) {
       const std::string why = why_no_value(state);
       return {.overlap = touching.overlap,
+              .penetration = touching.penetration,
               .evaluations = 1,
               .unsettled = "the forces have no value where bodies touch" + (why.empty() ? "" : ": " + why)};
     }
@@ -466,6 +507,10 @@ class Scene {
   bool add_flow(const L& law, const Here& at, laws::Heats sum) const {
     if constexpr (laws::AddsHeat<L, D>) return add_heat(law, domain_, at, sum);
     return true;
+  }
+  template <class L>
+  void add_slopes(const L& law, const laws::At<laws::Velocity, laws::Temperature>& at, laws::HeatSlopes& slopes) const {
+    if constexpr (laws::HasHeatSlopes<L, D>) add_heat_slopes(law, domain_, at, slopes);
   }
   template <class Here>
   bool heat(const Here& at, schemes::Out dy) const {

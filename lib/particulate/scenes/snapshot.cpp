@@ -27,6 +27,11 @@ kinematics::Vectors shown(const kinematics::Particles& particles, const kinemati
   return places;
 }
 
+// The y of a scene's state, where its particles have temperatures.
+bool has_temperatures(const kinematics::Particles& particles, const schemes::State& state) {
+  return particles.temperature.size() > 0 && state.y.size() == particles.size();
+}
+
 // Three numbers of a particle.
 template <class Row>
 std::string three(const Row& x) {
@@ -64,14 +69,17 @@ void write_xyz(std::ostream& out, const kinematics::Particles& particles, const 
                const schemes::State& state) {
   const kinematics::Vectors places = shown(particles, domain, state);
   const schemes::VectorsOf v = velocities(state);
+  const bool warm = has_temperatures(particles, state);
   std::string text =
-      fmt::format("{}\n{} Properties=species:S:1:pos:R:3:velo:R:3:radius:R:1:mass:R:1:id:I:1:immovable:I:1 Time={}\n",
-                  particles.size(), cell(domain, places, particles.radius), state.t);
+      fmt::format("{}\n{} Properties=species:S:1:pos:R:3:velo:R:3:radius:R:1:mass:R:1:id:I:1:immovable:I:1{} Time={}\n",
+                  particles.size(), cell(domain, places, particles.radius), warm ? ":temperature:R:1" : "", state.t);
   for (Eigen::Index i = 0; i < particles.size(); ++i) {
     const bool held = !particles.immovable.empty() && particles.immovable[static_cast<std::size_t>(i)];
     // X: a particle of no element, for readers that look it up.
-    fmt::format_to(std::back_inserter(text), "X {} {} {} {} {} {}\n", three(places.row(i)), three(v.row(i)),
+    fmt::format_to(std::back_inserter(text), "X {} {} {} {} {} {}", three(places.row(i)), three(v.row(i)),
                    particles.radius[i], particles.mass[i], i, held ? 1 : 0);
+    if (warm) fmt::format_to(std::back_inserter(text), " {}", state.y[i]);
+    text += '\n';
   }
   out << text;
 }
@@ -90,6 +98,9 @@ void write_vtk(std::ostream& out, const kinematics::Particles& particles, const 
   data_array(text, "Float64", "velocity", 3, N, [&](Eigen::Index i) { return three(v.row(i)); });
   data_array(text, "Float64", "radius", 1, N, [&](Eigen::Index i) { return particles.radius[i]; });
   data_array(text, "Float64", "mass", 1, N, [&](Eigen::Index i) { return particles.mass[i]; });
+  if (has_temperatures(particles, state)) {
+    data_array(text, "Float64", "temperature", 1, N, [&](Eigen::Index i) { return state.y[i]; });
+  }
   data_array(text, "Int64", "id", 1, N, [](Eigen::Index i) { return i; });
   text += "</PointData>\n<Points>\n";
   data_array(text, "Float64", "Points", 3, N, [&](Eigen::Index i) { return three(places.row(i)); });

@@ -20,8 +20,8 @@ namespace particulate::scenes {
 /// Writes a frame of extended XYZ, of which one file holds a run: for OVITO, and ASE.
 ///
 /// A frame has a line with N, one with what belongs to all (`Lattice`, `Origin`, `pbc`, `Time`), and a line a particle:
-/// species (X, of no element), pos, velo, radius, mass, id, immovable (1 or 0). `Lattice` is there if space repeats
-/// itself in some direction; in the others it spans the particles.
+/// species (X, of no element), pos, velo, radius, mass, id, immovable (1 or 0), and the temperature of a scene with
+/// heat. `Lattice` is there if space repeats itself in some direction; in the others it spans the particles.
 ///
 /// @param out        where to; left as it is after the frame
 /// @param particles  whose radii, masses and numbers
@@ -32,8 +32,8 @@ void write_xyz(std::ostream& out, const kinematics::Particles& particles, const 
                const schemes::State& state);
 
 /// Writes a file of VTK's XML PolyData (`.vtp`), one a moment: for ParaView, which plays `cloud_000.vtp`,
-/// `cloud_001.vtp` and so on as a film. Points with velocity, radius, mass and id; draw them as Point Gaussian, or as
-/// Glyphs scaled by the radius.
+/// `cloud_001.vtp` and so on as a film. Points with velocity, radius, mass, id and, with heat, temperature; draw them
+/// as Point Gaussian, or as Glyphs scaled by the radius.
 ///
 /// @param out        where to
 /// @param particles  whose radii, masses and numbers

@@ -304,6 +304,7 @@ class Run {
     out_.heat += jump.heat;
     out_.released += jump.released;
     out_.overlap = std::max(out_.overlap, jump.overlap);
+    out_.penetration = std::max(out_.penetration, jump.penetration);
     out_.travel = std::max(out_.travel, jump.travel);
     out_.evaluations += jump.evaluations;
     if (out_.jumps_by_law.size() < jump.by_law.size()) out_.jumps_by_law.resize(jump.by_law.size());

@@ -65,6 +65,7 @@ Outcome& operator+=(Outcome& run, const Outcome& leg) {
   all.released = run.released + leg.released;
   all.contraction = std::max(run.contraction, leg.contraction);
   all.overlap = std::max(run.overlap, leg.overlap);
+  all.penetration = std::max(run.penetration, leg.penetration);
   all.travel = std::max(run.travel, leg.travel);
   if (all.jumps_by_law.size() < run.jumps_by_law.size()) all.jumps_by_law.resize(run.jumps_by_law.size());
   for (std::size_t k = 0; k < run.jumps_by_law.size(); ++k) {
@@ -135,6 +136,12 @@ std::string describe(const Outcome& outcome) {
   facts.measure("a step that would have worked", outcome.workable_step, " s");
   facts.measure("accumulating at t =", outcome.accumulation, " s");
   if (!outcome.ruled.empty()) facts.add(fmt::format("steps cut by {}", outcome.ruled));
+  if (outcome.penetration > 0.1) {
+    end += fmt::format(
+        "; spheres overlap by up to {:.3g} % of a diameter: take a smaller step; where a force draws them together as "
+        "they touch, one that vanishes there, as a bond does",
+        100.0 * outcome.penetration);
+  }
   return broken(end, "") + (facts.text().empty() ? "" : "\n" + broken(facts.text(), "  "));
 }
 

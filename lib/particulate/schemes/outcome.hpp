@@ -59,6 +59,7 @@ struct [[nodiscard]] Outcome {
   double overlap = 0.0;           ///< deepest overlap of two bodies at the end of any step [m]
   double overlap_at_start = 0.0;  ///< deepest overlap of two bodies in the state that the run was given [m]
   long contacts_at_start = 0;     ///< pairs that overlap there, and bodies with walls [-]
+  double penetration = 0.0;       ///< largest Jump::penetration: above 0.1 bodies are where spheres cannot be [-]
   double travel = 0.0;  ///< largest Jump::travel of a step: where it is above 1, stepped contact may miss impacts [-]
   double energy_change = 0.0;                                      ///< of the kinetic energy by jumps [J]
   double heat = 0.0;                                               ///< thermal energy that jumps added [J]

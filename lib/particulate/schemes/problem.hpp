@@ -151,6 +151,7 @@ struct Jump {
   double heat = 0.0;           ///< thermal energy after minus before [J]
   double released = 0.0;       ///< chemical energy of which that came, beside kinetic energy [J]
   double overlap = 0.0;        ///< deepest overlap of two bodies before it [m]
+  double penetration = 0.0;    ///< largest overlap over the diameter of the smaller of the two [-]
   double travel = 0.0;         ///< largest move of a body in the step, over its radius, if bodies could pass unseen [-]
   long evaluations = 0;        ///< right-hand sides that it asked for [-]
   std::string unsettled = {};  ///< not empty: the jump could not be completed, and why

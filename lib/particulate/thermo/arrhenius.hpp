@@ -38,6 +38,20 @@ bool add_heat(const Arrhenius& law, const D&, const laws::At<laws::Temperature>&
   return true;
 }
 
+/// Appends the slopes of that heat, \f$ m P\, e^{-T_a/\theta}\, T_a/\theta^2 \f$.
+///
+/// @equation{D 7.4.2}
+/// @param law     constants that validate() accepts
+/// @param at      the particles
+/// @param slopes  receives N entries; at 0 K none is left [W/K]
+template <kinematics::Domain D>
+void add_heat_slopes(const Arrhenius& law, const D&, const laws::At<laws::Temperature>& at, laws::HeatSlopes& slopes) {
+  for (Eigen::Index i = 0; i < at.mass.size(); ++i) {
+    const double theta = at.temperature[i], u = theta > 0.0 ? law.T_a / theta : 0.0;
+    slopes.emplace_back(i, i, theta > 0.0 ? at.mass[i] * law.power * std::exp(-u) * u / theta : 0.0);
+  }
+}
+
 /// Time in which a temperature runs from one value to another.
 ///
 /// \f[ t = G(\theta) - G(\theta_0), \qquad

@@ -99,4 +99,17 @@ bool add_heat(const Cooling& law, const D&, const laws::At<laws::Temperature>& a
   return true;
 }
 
+/// Appends the slopes of these flows: each sphere's own alone.
+///
+/// @equation{D 7.4.2}
+/// @param law     constants that validate() accepts
+/// @param at      the particles
+/// @param slopes  receives N entries [W/K]
+template <kinematics::Domain D>
+void add_heat_slopes(const Cooling& law, const D&, const laws::At<laws::Temperature>& at, laws::HeatSlopes& slopes) {
+  for (Eigen::Index i = 0; i < at.mass.size(); ++i) {
+    slopes.emplace_back(i, i, surface(at.radius[i]) * heat_flux_slope(law, at.temperature[i]));
+  }
+}
+
 }  // namespace particulate::thermo

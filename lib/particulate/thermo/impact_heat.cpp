@@ -25,7 +25,7 @@ double released_energy(const ImpactHeat& law, double J, double radius) {
 }
 
 double dissipated_energy(const contact::ImpactRecord& impact) {
-  return (impact.push * impact.n - impact.tangential).dot(0.5 * (impact.before + impact.after));
+  return (impact.push * impact.n - impact.tangential).dot(0.5 * (impact.before + impact.after + impact.meanwhile));
 }
 
 double add_heat_of_impact(const ImpactHeat& law, const laws::At<laws::Temperature>& at,

@@ -33,10 +33,15 @@ void validate(const ImpactHeat& law);
 /// @return H [J]
 double released_energy(const ImpactHeat& law, double J, double radius);
 
-/// Kinetic energy that an impact takes, by its impulses times the mean relative velocity that they act on.
+/// Energy that an impact takes: its impulses times the mean relative velocity that they act on.
 ///
-/// @equation{D 7.4.1}
-/// @param impact  as it was resolved, without the work of other forces during it
+/// \f[ q = T - T' + W_E \f]
+///
+/// @equation{D 7.4.1} Where an impact lasts (gamma > 0) the other forces, which are constant over it, have a part in
+/// that mean, so that W_E is their work in both phases: of one contact q is normal_heat() and the work of friction,
+/// never negative. The step that follows applies the other forces again, so that in a scene kinetic energy and heat
+/// then add up to what they were but for O(gamma Dt) an impact; without duration, to rounding.
+/// @param impact  as it was resolved
 /// @return q [J]
 double dissipated_energy(const contact::ImpactRecord& impact);
 
