@@ -1,0 +1,202 @@
+#include <particulate/scattering/interface.hpp>
+
+#include <array>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include <particulate/scattering/detail/twice.hpp>
+
+namespace particulate::scattering {
+
+namespace {
+
+using detail::Twice, detail::exact_product;
+
+void require_positive(const char* what, double given) {
+  if (given > 0.0 && std::isfinite(given)) return;
+  throw std::invalid_argument(fmt::format("interface: {} must be positive and finite, got {}", what, given));
+}
+
+// a^2 - b^2.
+double squares_apart(double a, double b) { return (a - b) * (a + b); }
+
+// (a - b)/(a + b).
+double contrast(const Twice& a, const Twice& b) { return ((a - b) / (a + b)).value(); }
+
+// s^2 of Fresnel's formulas; not positive under total reflection.
+Twice s_squared(double n, double cosine) { return (exact_product(n, n) - Twice{1.0}) + exact_product(cosine, cosine); }
+
+// Gauss and Legendre's nodes and weights on [-1, 1], ten points; a half of them, the others are their mirror images.
+constexpr std::array<double, 5> nodes{0.14887433898163121088, 0.43339539412924719080, 0.67940956829902440623,
+                                      0.86506336668898451073, 0.97390652851717172008};
+constexpr std::array<double, 5> weights{0.29552422471475287017, 0.26926671930999635509, 0.21908636251598204400,
+                                        0.14945134915058059315, 0.06667134430868813759};
+
+template <class F>
+double ten_points(const F& f, double from, double to) {
+  const double middle = 0.5 * (from + to), half = 0.5 * (to - from);
+  double sum = 0.0;
+  for (std::size_t k = 0; k < nodes.size(); ++k) {
+    sum += weights[k] * (f(middle - half * nodes[k]) + f(middle + half * nodes[k]));
+  }
+  return half * sum;
+}
+
+// Halved until two halves agree with the whole: reflectance is smooth but for a square root at the edge of total
+// reflection, towards which intervals shrink.
+template <class F>
+double halved(const F& f, double from, double to, double whole, int depth) {
+  const double middle = 0.5 * (from + to);
+  const double left = ten_points(f, from, middle), right = ten_points(f, middle, to);
+  if (depth == 0 || std::abs(left + right - whole) <= 1e-15 * (to - from)) return left + right;
+  return halved(f, from, middle, left, depth - 1) + halved(f, middle, to, right, depth - 1);
+}
+
+// Of f(cos theta) over cos theta from 0 to 1, in parts at `edge`, where it has a kink if it lies between.
+template <class F>
+double integral(const F& f, double edge) {
+  const auto part = [&](double from, double to) { return halved(f, from, to, ten_points(f, from, to), 40); };
+  return edge > 0.0 && edge < 1.0 ? part(0.0, edge) + part(edge, 1.0) : part(0.0, 1.0);
+}
+
+// The cosine of the critical angle; 0 where there is none.
+double critical_cosine(double n_hat) { return n_hat < 1.0 ? std::sqrt(squares_apart(1.0, n_hat)) : 0.0; }
+
+// Of R times a weight of cos theta, over cos theta.
+template <class Law, class Weight>
+double weighted(const Law& law, double n_hat, const Weight& weight) {
+  validate(law);
+  return integral([&](double c) { return reflectance(law, c) * weight(c); }, critical_cosine(n_hat));
+}
+
+// Walsh and Duntley's closed form of the sphere's reflectance.
+double walsh(double n) {
+  const double n2 = n * n, n4 = n2 * n2;
+  return 0.5 + (n - 1.0) * (3.0 * n + 1.0) / (6.0 * (n + 1.0) * (n + 1.0)) +
+         n2 * (n2 - 1.0) * (n2 - 1.0) / ((n2 + 1.0) * (n2 + 1.0) * (n2 + 1.0)) * std::log((n - 1.0) / (n + 1.0)) -
+         2.0 * n2 * n * (n2 + 2.0 * n - 1.0) / ((n2 + 1.0) * (n4 - 1.0)) +
+         8.0 * n4 * (n4 + 1.0) / ((n2 + 1.0) * (n4 - 1.0) * (n4 - 1.0)) * std::log(n);
+}
+
+}  // namespace
+
+void validate(const Fresnel& law) {
+  require_positive("n_hat", law.n_hat);
+  require_positive("mu_hat", law.mu_hat);
+}
+
+void validate(const FluidFluid& law) {
+  require_positive("Z_hat", law.Z_hat);
+  require_positive("c_hat", law.c_hat);
+}
+
+void validate(const FluidSolid& law) {
+  for (const auto& [what, given] :
+       {std::pair{"rho_f", law.rho_f}, {"c_f", law.c_f}, {"rho_s", law.rho_s}, {"c_l", law.c_l}, {"c_s", law.c_s}}) {
+    require_positive(what, given);
+  }
+  if (3.0 * law.c_l * law.c_l > 4.0 * law.c_s * law.c_s) return;
+  throw std::invalid_argument(
+      fmt::format("interface: a solid resists compression, c_l > c_s sqrt(4/3), got c_l = {} m/s and c_s = {} m/s",
+                  law.c_l, law.c_s));
+}
+
+double r_parallel(const Fresnel& law, double cos_incidence) {
+  const Twice s2 = s_squared(law.n_hat, cos_incidence);
+  if (!(s2.hi > 0.0)) return 1.0;
+  return contrast(exact_product(law.n_hat, law.n_hat) / Twice{law.mu_hat} * Twice{cos_incidence}, root(s2));
+}
+
+double r_perpendicular(const Fresnel& law, double cos_incidence) {
+  const Twice s2 = s_squared(law.n_hat, cos_incidence);
+  if (!(s2.hi > 0.0)) return 1.0;
+  return contrast(exact_product(law.mu_hat, cos_incidence), root(s2));
+}
+
+double reflectance(const Fresnel& law, double cos_incidence) {
+  const double along = r_parallel(law, cos_incidence), across = r_perpendicular(law, cos_incidence);
+  return 0.5 * (along * along + across * across);
+}
+
+double brewster_angle(double n_hat) { return std::atan(n_hat); }
+
+double critical_angle(double n_hat) {
+  if (!(n_hat > 0.0 && n_hat < 1.0)) {
+    throw std::invalid_argument(fmt::format(
+        "interface: total reflection needs a ratio between 0 and 1, got {}: nothing is reflected totally", n_hat));
+  }
+  return std::asin(n_hat);
+}
+
+double dip_coefficient(const Fresnel& law) {
+  const double n = law.n_hat, mu = law.mu_hat, apart = squares_apart(n, 1.0), sum = n + mu;
+  return -mu * apart * apart * (n * n - 4.0 * mu * n + mu * mu) / (2.0 * n * n * n * sum * sum * sum * sum);
+}
+
+double sphere_reflectance(const Fresnel& law) {
+  validate(law);
+  if (law.mu_hat == 1.0 && law.n_hat >= 1.5 && law.n_hat <= 1e3) return walsh(law.n_hat);
+  return weighted(law, law.n_hat, [](double c) { return 2.0 * c; });
+}
+
+double planar_reflectance(const Fresnel& law) {
+  // cos theta d theta = d sin theta: over sin theta, which at grazing has no root.
+  validate(law);
+  return integral([&](double sine) { return reflectance(law, std::sqrt(squares_apart(1.0, sine))); }, law.n_hat);
+}
+
+double sphere_x_irradiance(const Fresnel& law) {
+  return weighted(law, law.n_hat, [](double c) { return -2.0 * c * (2.0 * c * c - 1.0); });
+}
+
+double stepping_slope(const Fresnel& law) {
+  return weighted(law, law.n_hat, [](double c) { return (2.0 * c * c - 1.0) * (3.0 * c * c - 1.0); });
+}
+
+double r_pressure(const FluidFluid& law, double cos_incidence) {
+  const Twice c2 = exact_product(law.c_hat, law.c_hat);
+  const Twice t2 = (Twice{1.0} - c2) + c2 * exact_product(cos_incidence, cos_incidence);
+  if (!(t2.hi > 0.0)) return 1.0;
+  return contrast(exact_product(law.Z_hat, cos_incidence), root(t2));
+}
+
+double reflectance(const FluidFluid& law, double cos_incidence) {
+  const double r = r_pressure(law, cos_incidence);
+  return r * r;
+}
+
+double sphere_reflectance(const FluidFluid& law) {
+  return weighted(law, 1.0 / law.c_hat, [](double c) { return 2.0 * c; });
+}
+
+SolidShares shares(const FluidSolid& law, double cos_incidence) {
+  // With the digits that the machine has beyond a double, which the sums of three terms lose.
+  using Long = long double;
+  using Complex = std::complex<Long>;
+  const Long c = cos_incidence, S = (1 - c) * (1 + c);
+  const auto cosine = [&](Long speed) {
+    const Long ratio = speed / law.c_f, square = 1 - ratio * ratio * S;
+    return square >= 0 ? Complex(std::sqrt(square), 0) : Complex(0, std::sqrt(-square));
+  };
+  const Long shear_ratio = static_cast<Long>(law.c_s) / law.c_f, sin2_s = shear_ratio * shear_ratio * S;
+  const Long cos_2s = 1 - 2 * sin2_s;
+  const Complex cos_l = cosine(law.c_l), cos_s = cosine(law.c_s);
+  // All impedances times the three cosines, of which one may be zero.
+  const Complex along = static_cast<Long>(law.rho_s) * law.c_l * cos_2s * cos_2s * c * cos_s;
+  const Complex across = static_cast<Long>(law.rho_s) * law.c_s * 4 * sin2_s * c * cos_s * cos_s * cos_l;
+  const Complex fluid = static_cast<Long>(law.rho_f) * law.c_f * cos_l * cos_s;
+  const Long size = std::norm(along + across + fluid);
+  if (size == 0) return {.reflected = 1.0};
+  const auto share = [&](Long part) { return static_cast<double>(part / size); };
+  return {.reflected = share(std::norm(along + across - fluid)),
+          .longitudinal = share(4 * std::real(along * std::conj(fluid))),
+          .shear = share(4 * std::real(across * std::conj(fluid)))};
+}
+
+double reflectance(const FluidSolid& law, double cos_incidence) { return shares(law, cos_incidence).reflected; }
+
+}  // namespace particulate::scattering
