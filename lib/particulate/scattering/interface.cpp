@@ -1,6 +1,5 @@
 #include <particulate/scattering/interface.hpp>
 
-#include <array>
 #include <cmath>
 #include <complex>
 #include <numbers>
@@ -8,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <particulate/scattering/detail/quadrature.hpp>
 #include <particulate/scattering/detail/twice.hpp>
 
 namespace particulate::scattering {
@@ -30,37 +30,11 @@ double contrast(const Twice& a, const Twice& b) { return ((a - b) / (a + b)).val
 // s^2 of Fresnel's formulas; not positive under total reflection.
 Twice s_squared(double n, double cosine) { return (exact_product(n, n) - Twice{1.0}) + exact_product(cosine, cosine); }
 
-// Gauss and Legendre's nodes and weights on [-1, 1], ten points; a half of them, the others are their mirror images.
-constexpr std::array<double, 5> nodes{0.14887433898163121088, 0.43339539412924719080, 0.67940956829902440623,
-                                      0.86506336668898451073, 0.97390652851717172008};
-constexpr std::array<double, 5> weights{0.29552422471475287017, 0.26926671930999635509, 0.21908636251598204400,
-                                        0.14945134915058059315, 0.06667134430868813759};
-
-template <class F>
-double ten_points(const F& f, double from, double to) {
-  const double middle = 0.5 * (from + to), half = 0.5 * (to - from);
-  double sum = 0.0;
-  for (std::size_t k = 0; k < nodes.size(); ++k) {
-    sum += weights[k] * (f(middle - half * nodes[k]) + f(middle + half * nodes[k]));
-  }
-  return half * sum;
-}
-
-// Halved until two halves agree with the whole: reflectance is smooth but for a square root at the edge of total
-// reflection, towards which intervals shrink.
-template <class F>
-double halved(const F& f, double from, double to, double whole, int depth) {
-  const double middle = 0.5 * (from + to);
-  const double left = ten_points(f, from, middle), right = ten_points(f, middle, to);
-  if (depth == 0 || std::abs(left + right - whole) <= 1e-15 * (to - from)) return left + right;
-  return halved(f, from, middle, left, depth - 1) + halved(f, middle, to, right, depth - 1);
-}
-
 // Of f(cos theta) over cos theta from 0 to 1, in parts at `edge`, where it has a kink if it lies between.
 template <class F>
 double integral(const F& f, double edge) {
-  const auto part = [&](double from, double to) { return halved(f, from, to, ten_points(f, from, to), 40); };
-  return edge > 0.0 && edge < 1.0 ? part(0.0, edge) + part(edge, 1.0) : part(0.0, 1.0);
+  if (!(edge > 0.0 && edge < 1.0)) return detail::integral(f, 0.0, 1.0);
+  return detail::integral(f, 0.0, edge) + detail::integral(f, edge, 1.0);
 }
 
 // The cosine of the critical angle; 0 where there is none.
