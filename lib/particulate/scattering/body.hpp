@@ -18,7 +18,8 @@ inline constexpr double nowhere = std::numeric_limits<double>::infinity();
 
 /// A body: where it is, what contains it, and where rays enter it.
 ///
-/// `centre` is a place; `bounding_radius(body)` that of a ball about it which contains it [m]. `first_entry(body, from,
+/// `centre` is a place; `bounding_radius(body)` that of a ball about it which contains it, `half_extents(body)` how far
+/// it reaches from there in each direction [m]. `first_entry(body, from,
 /// direction)` is the distance after which a ray from outside first enters, or nowhere; `next_entry()` the same of a
 /// ray that has just been reflected at a place of the surface. `outward_normal(body, place)` is the unit normal at a
 /// place of the surface, `contains(body, place)` whether a place lies inside. `volume(body)` [m^3], `area(body)` [m^2].
@@ -26,6 +27,7 @@ template <class B>
 concept Body = std::copyable<B> && requires(const B& body, const Eigen::Vector3d& x) {
   { body.centre } -> std::convertible_to<Eigen::Vector3d>;
   { bounding_radius(body) } -> std::same_as<double>;
+  { half_extents(body) } -> std::same_as<Eigen::Vector3d>;
   { first_entry(body, x, x) } -> std::same_as<double>;
   { next_entry(body, x, x) } -> std::same_as<double>;
   { outward_normal(body, x) } -> std::same_as<Eigen::Vector3d>;
@@ -80,6 +82,10 @@ inline double entry_of_ball(const Eigen::Vector3d& from, const Eigen::Vector3d& 
 /// @return its radius [m]
 inline double bounding_radius(const Sphere& body) { return body.radius; }
 
+/// @param body  a ball
+/// @return its radius, in each direction [m]
+inline Eigen::Vector3d half_extents(const Sphere& body) { return Eigen::Vector3d::Constant(body.radius); }
+
 /// First entry of a ray. @equation{D 9.3}
 ///
 /// @param body       a ball
@@ -124,6 +130,15 @@ inline Eigen::Vector3d stretched(const Spheroid& body, const Eigen::Vector3d& x)
 /// @param body  a spheroid
 /// @return its larger radius [m]
 inline double bounding_radius(const Spheroid& body) { return std::fmax(body.equatorial, body.polar); }
+
+/// How far it reaches along each axis of space, \f$ \sqrt{a^2 (1 - u_k^2) + c^2 u_k^2} \f$. @equation{D 9.3.3}
+///
+/// @param body  a spheroid
+/// @return half extents [m]
+inline Eigen::Vector3d half_extents(const Spheroid& body) {
+  const double a = body.equatorial, c = body.polar;
+  return (a * a + (c - a) * (c + a) * body.axis.array().square()).sqrt();
+}
 
 /// First entry of a ray, that of the stretched ray into a ball. @equation{D 9.3.3}
 ///

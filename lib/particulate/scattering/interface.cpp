@@ -27,9 +27,6 @@ double squares_apart(double a, double b) { return (a - b) * (a + b); }
 // (a - b)/(a + b).
 double contrast(const Twice& a, const Twice& b) { return ((a - b) / (a + b)).value(); }
 
-// s^2 of Fresnel's formulas; not positive under total reflection.
-Twice s_squared(double n, double cosine) { return (exact_product(n, n) - Twice{1.0}) + exact_product(cosine, cosine); }
-
 // Of f(cos theta) over cos theta from 0 to 1, in parts at `edge`, where it has a kink if it lies between.
 template <class F>
 double integral(const F& f, double edge) {
@@ -79,20 +76,38 @@ void validate(const FluidSolid& law) {
                   law.c_l, law.c_s));
 }
 
+namespace {
+
+// What both amplitudes are formed of: the root s, and n^2/mu; false under total reflection.
+bool refracted(const Fresnel& law, double cosine, Twice& s) {
+  const Twice square = (exact_product(law.n_hat, law.n_hat) - Twice{1.0}) + exact_product(cosine, cosine);
+  s = root(square);
+  return square.hi > 0.0;
+}
+double parallel(const Fresnel& law, double cosine, const Twice& s) {
+  const Twice square = exact_product(law.n_hat, law.n_hat);
+  return contrast((law.mu_hat == 1.0 ? square : square / Twice{law.mu_hat}) * Twice{cosine}, s);
+}
+double perpendicular(const Fresnel& law, double cosine, const Twice& s) {
+  return contrast(exact_product(law.mu_hat, cosine), s);
+}
+
+}  // namespace
+
 double r_parallel(const Fresnel& law, double cos_incidence) {
-  const Twice s2 = s_squared(law.n_hat, cos_incidence);
-  if (!(s2.hi > 0.0)) return 1.0;
-  return contrast(exact_product(law.n_hat, law.n_hat) / Twice{law.mu_hat} * Twice{cos_incidence}, root(s2));
+  Twice s;
+  return refracted(law, cos_incidence, s) ? parallel(law, cos_incidence, s) : 1.0;
 }
 
 double r_perpendicular(const Fresnel& law, double cos_incidence) {
-  const Twice s2 = s_squared(law.n_hat, cos_incidence);
-  if (!(s2.hi > 0.0)) return 1.0;
-  return contrast(exact_product(law.mu_hat, cos_incidence), root(s2));
+  Twice s;
+  return refracted(law, cos_incidence, s) ? perpendicular(law, cos_incidence, s) : 1.0;
 }
 
 double reflectance(const Fresnel& law, double cos_incidence) {
-  const double along = r_parallel(law, cos_incidence), across = r_perpendicular(law, cos_incidence);
+  Twice s;
+  if (!refracted(law, cos_incidence, s)) return 1.0;
+  const double along = parallel(law, cos_incidence, s), across = perpendicular(law, cos_incidence, s);
   return 0.5 * (along * along + across * across);
 }
 

@@ -46,6 +46,12 @@ Spheroid bounding_spheroid(const RedCell& body);
 /// @return R_0: its rim is farthest from the centre [m]
 inline double bounding_radius(const RedCell& body) { return body.radius; }
 
+/// @param body  a cell
+/// @return half extents of its bounding spheroid: a little more than its own [m]
+inline Eigen::Vector3d half_extents(const RedCell& body) {
+  return half_extents(bounding_spheroid(body)).cwiseMin(body.radius);
+}
+
 /// First entry of a ray, exactly.
 ///
 /// \f[ P = (1 - u)(C_0 + C_1 u + C_2 u^2)^2 - (2 z/R_0)^2, \qquad u = \rho^2/R_0^2 \le 1 \f]
