@@ -204,6 +204,22 @@ class Cloud {
 
 namespace detail {
 
+// Reflects a ray at a surface: the ray keeps R of its power, the body gets the rest. False: it leads away from the
+// surface already.
+template <class Law>
+bool reflect(const Law& law, const Eigen::Vector3d& normal, std::int32_t body, bool again, Ray& ray, Fate& fate,
+             BlockOfRays& block) {
+  const double approach = -ray.direction.dot(normal);
+  if (!(approach >= 0.0)) return false;
+  const double R = reflectance(law, std::min(approach, 1.0));
+  block.absorbed.push_back({body, (1.0 - R) * ray.power});
+  ray.power *= R;
+  ray.direction = (ray.direction + 2.0 * approach * normal).normalized();
+  ++fate.hits;
+  fate.again += again ? 1 : 0;
+  return true;
+}
+
 // Follows one ray from body to body.
 template <class B, class Law>
 Fate follow(const Cloud<B>& cloud, const Law& law, const TraceSettings& settings, std::int32_t number, Ray& ray,
@@ -220,25 +236,20 @@ Fate follow(const Cloud<B>& cloud, const Law& law, const TraceSettings& settings
   keep();
   for (std::int32_t left = -1;;) {
     const auto [distance, body] = cloud.first_hit(ray.place, ray.direction, left);
-    const auto [to_face, face] = body < 0 ? way_out(cloud.box(), ray) : std::pair{distance, Face::x_low};
-    if (ray.length + to_face > settings.path_length) {
+    const auto [way, face] = body < 0 ? way_out(cloud.box(), ray) : std::pair{distance, Face::x_low};
+    if (ray.length + way > settings.path_length) {
       go(settings.path_length - ray.length);
       fate.end = Fate::End::inside;
       break;
     }
-    go(to_face);
+    go(way);
     if (body < 0) {
       fate.face = face;
       break;
     }
+    // At grazing incidence rounding may turn the normal by more than the angle.
     const Eigen::Vector3d normal = outward_normal(cloud.bodies()[static_cast<std::size_t>(body)], ray.place);
-    const double approach = std::min(ray.direction.dot(normal), 0.0);
-    const double R = reflectance(law, std::min(-approach, 1.0));
-    block.absorbed.push_back({body, (1.0 - R) * ray.power});
-    ray.power *= R;
-    ray.direction = (ray.direction - 2.0 * approach * normal).normalized();
-    ++fate.hits;
-    fate.again += body == left ? 1 : 0;
+    if (!reflect(law, normal, body, body == left, ray, fate, block)) ++fate.hits;
     left = body;
     if (fate.hits > settings.most_hits || !(ray.power > least)) {
       fate.end = Fate::End::cut_off;
@@ -248,6 +259,38 @@ Fate follow(const Cloud<B>& cloud, const Law& law, const TraceSettings& settings
   }
   keep();
   return fate;
+}
+
+// Follows all rays, block by block: follow_one(number, ray, block).
+template <class B, class Law, class FollowOne>
+Traced trace_each(const Cloud<B>& cloud, const Law& law, const Rays& rays, const TraceSettings& settings,
+                  const FollowOne& follow_one) {
+  validate(law);
+  validate(rays);
+  validate(settings);
+  const Eigen::Index N = rays.size(), blocks = (N + rays_a_block - 1) / rays_a_block;
+  for (Eigen::Index i = 0; i < N; ++i) {
+    const std::int32_t body = cloud.body_at(rays.place.row(i));
+    if (body >= 0) refuse_start(i, body);
+  }
+  Traced traced{
+      .ledger = {}, .absorbed = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(cloud.bodies().size())), .rays = rays};
+  traced.ledger.incident = rays.power.sum();
+  std::vector<Fate> fates(static_cast<std::size_t>(N));
+  std::vector<BlockOfRays> written(static_cast<std::size_t>(blocks));
+  each_block(blocks, settings.threads, [&](Eigen::Index k) {
+    const Eigen::Index end = std::min(N, (k + 1) * rays_a_block);
+    for (Eigen::Index i = k * rays_a_block; i < end; ++i) {
+      Ray ray{.place = rays.place.row(i), .direction = rays.direction.row(i), .power = rays.power[i]};
+      fates[static_cast<std::size_t>(i)] =
+          follow_one(static_cast<std::int32_t>(i), ray, written[static_cast<std::size_t>(k)]);
+      traced.rays.place.row(i) = ray.place;
+      traced.rays.direction.row(i) = ray.direction;
+      traced.rays.power[i] = ray.power;
+    }
+  });
+  close(fates, written, traced);
+  return traced;
 }
 
 }  // namespace detail
@@ -269,32 +312,9 @@ Fate follow(const Cloud<B>& cloud, const Law& law, const TraceSettings& settings
 ///         of a body, and that body
 template <Body B, class Law>
 Traced trace(const Cloud<B>& cloud, const Law& law, const Rays& rays, const TraceSettings& settings = {}) {
-  validate(law);
-  validate(rays);
-  validate(settings);
-  const Eigen::Index N = rays.size(), blocks = (N + detail::rays_a_block - 1) / detail::rays_a_block;
-  for (Eigen::Index i = 0; i < N; ++i) {
-    const std::int32_t body = cloud.body_at(rays.place.row(i));
-    if (body >= 0) detail::refuse_start(i, body);
-  }
-  Traced traced{
-      .ledger = {}, .absorbed = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(cloud.bodies().size())), .rays = rays};
-  traced.ledger.incident = rays.power.sum();
-  std::vector<detail::Fate> fates(static_cast<std::size_t>(N));
-  std::vector<detail::BlockOfRays> written(static_cast<std::size_t>(blocks));
-  detail::each_block(blocks, settings.threads, [&](Eigen::Index k) {
-    const Eigen::Index end = std::min(N, (k + 1) * detail::rays_a_block);
-    for (Eigen::Index i = k * detail::rays_a_block; i < end; ++i) {
-      detail::Ray ray{.place = rays.place.row(i), .direction = rays.direction.row(i), .power = rays.power[i]};
-      fates[static_cast<std::size_t>(i)] =
-          detail::follow(cloud, law, settings, static_cast<std::int32_t>(i), ray, written[static_cast<std::size_t>(k)]);
-      traced.rays.place.row(i) = ray.place;
-      traced.rays.direction.row(i) = ray.direction;
-      traced.rays.power[i] = ray.power;
-    }
+  return detail::trace_each(cloud, law, rays, settings, [&](std::int32_t i, auto& ray, auto& block) {
+    return detail::follow(cloud, law, settings, i, ray, block);
   });
-  detail::close(fates, written, traced);
-  return traced;
 }
 
 }  // namespace particulate::scattering
