@@ -41,7 +41,8 @@ class Grid {
     Walk at;
     if (!begin(from, direction, at)) return;
     for (;;) {
-      const int axis = at.next[0] < at.next[1] ? (at.next[0] < at.next[2] ? 0 : 2) : (at.next[1] < at.next[2] ? 1 : 2);
+      const bool x_first = at.next[0] < at.next[1];
+      const std::size_t axis = x_first ? (at.next[0] < at.next[2] ? 0 : 2) : (at.next[1] < at.next[2] ? 1 : 2);
       const std::uint32_t first = first_[static_cast<std::size_t>(at.cell)];
       const std::uint32_t last = first_[static_cast<std::size_t>(at.cell) + 1];
       if (!visit(std::span(body_).subspan(first, last - first), at.next[axis])) return;

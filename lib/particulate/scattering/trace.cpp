@@ -77,7 +77,7 @@ void refuse_start(Eigen::Index ray, std::int32_t body) {
       fmt::format("rays: they must start outside of all bodies, and ray {} starts inside of body {}", ray, body));
 }
 
-void each_block(Eigen::Index blocks, int threads, const std::function<void(Eigen::Index)>& block) {
+void each_block(Eigen::Index blocks, [[maybe_unused]] int threads, const std::function<void(Eigen::Index)>& block) {
   std::exception_ptr failure;
 #pragma omp parallel for schedule(dynamic, 1) num_threads(threads) if (threads > 1)
   for (Eigen::Index k = 0; k < blocks; ++k) {
