@@ -131,13 +131,14 @@ struct StaggeredScene {
  private:
   template <class Field, class Scheme>
   static bool steps(Field& field, Scheme& scheme, double dt, schemes::State& own) {
-    const schemes::Outcome made =
-        schemes::integrate(field, own, own.t + dt, scheme, schemes::FixedStep{.step = own.t + dt - own.t});
+    const double end = own.t + dt;
+    own.t_carry = (end - own.t) - dt;  // the step is dt to the last bit, however late it is
+    const schemes::Outcome made = schemes::integrate(field, own, end, scheme, schemes::FixedStep{.step = dt});
     return made.status == schemes::Status::reached;
   }
 };
 
-/// @param scene          the scene
+/// @param scene          the scene; it must outlive both
 /// @param motion_scheme  for its motion
 /// @param heat_scheme    for its temperatures
 /// @return both fields, to be advanced by schemes::Staggered
