@@ -38,9 +38,11 @@ double released_energy(const ImpactHeat& law, double J, double radius);
 /// \f[ q = T - T' + W_E \f]
 ///
 /// @equation{D 7.4.1} Where an impact lasts (gamma > 0) the other forces, which are constant over it, have a part in
-/// that mean, so that W_E is their work in both phases: of one contact q is normal_heat() and the work of friction,
-/// never negative. The step that follows applies the other forces again, so that in a scene kinetic energy and heat
-/// then add up to what they were but for O(gamma Dt) an impact; without duration, to rounding.
+/// that mean, so that W_E is their work in both phases: of one contact q is normal_heat(), never negative, and the work
+/// of friction, negative only where the other forces turn the slip around meanwhile. Of contacts that are held it is
+/// negative where they work off an overlap, and gives back what sinking into it took. The step that follows applies the
+/// other forces again, so that in a scene kinetic energy and heat then add up to what they were but for O(gamma Dt) an
+/// impact; without duration, to rounding.
 /// @param impact  as it was resolved
 /// @return q [J]
 double dissipated_energy(const contact::ImpactRecord& impact);
