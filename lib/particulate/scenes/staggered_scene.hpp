@@ -78,6 +78,9 @@ struct Motion {
 /// @tparam HeatScheme    advances values of first order
 template <class S, schemes::Scheme MotionScheme, schemes::Scheme HeatScheme>
 struct StaggeredScene {
+  static_assert(S::has_heat_flow,
+                "a staggered scene needs a law that heats or cools: without one its temperatures have no rate");
+
   const S& scene;              ///< the scene
   MotionScheme motion_scheme;  ///< for field 0
   HeatScheme heat_scheme;      ///< for field 1
@@ -147,5 +150,8 @@ StaggeredScene<S, MotionScheme, HeatScheme> staggered(const S& scene, MotionSche
                                                       HeatScheme heat_scheme) {
   return {scene, std::move(motion_scheme), std::move(heat_scheme)};
 }
+/// A scene that ends with its line has no fields that outlive it.
+template <class S, class MotionScheme, class HeatScheme>
+void staggered(const S&&, MotionScheme, HeatScheme) = delete;
 
 }  // namespace particulate::scenes
