@@ -235,6 +235,21 @@ BOOST_AUTO_TEST_CASE(is_the_whole_fall_of_a_ball_that_comes_to_rest) {
   BOOST_TEST(heat(8.0, 1e-3) == heat(4.0, 1e-3), tolerance(1e-12));
 }
 
+// What lies on the ground is pressed by 20 N, at 2 J/m^2 and 4 N s: 20/4 2 pi/4 W, whatever the step.
+BOOST_AUTO_TEST_CASE(goes_on_where_a_force_holds_two_together) {
+  const auto ball = kinematics::particles(
+      {{.position = {0.0, 0.0, 0.5}, .mass = 2.0, .radius = 0.5, .temperature = 300.0, .heat_capacity = 3.0}});
+  for (const double dt : {1e-2, 1e-3}) {
+    const scenes::Scene scene(ball, Space{.walls = {{}}}, laws::Gravity{{0.0, 0.0, -10.0}},
+                              Contact<ConstantRestitution>{.restitution = {0.5}},
+                              ImpactHeat{.kappa = 2.0, .J_star = 4.0});
+    schemes::State state = scenes::start(scene);
+    const schemes::Outcome out =
+        integrate(scene, state, 2.0, schemes::VelocityVerlet{}, schemes::FixedStep{.step = dt});
+    BOOST_TEST(out.released == 2.0 * 2.5 * std::numbers::pi, tolerance(dt));
+  }
+}
+
 // Nothing looks at temperatures, so that the motion has the same bits with them and without.
 BOOST_AUTO_TEST_CASE(leaves_the_motion_alone) {
   kinematics::Particles cloud = random_cloud(40, {1.0, 1.0, 1.0}, 0.05, 0.1);

@@ -11,8 +11,9 @@ namespace particulate::thermo {
 ///     H = \kappa \min\!\left(\frac{J}{J^*}, 1\right) \pi \min(b_i, b_j)^2 \f]
 ///
 /// @equation{R 7.4.1} J is the normal impulse. J* is an impulse and not a force times the duration of a step, so that
-/// the heat converges with the step. Each of the two takes its share; what is immovable, and a wall, takes none, and
-/// the other all of it. A law beside a contact, whose recorder it listens to.
+/// the heat converges with the step; where a force F holds two together, at the rate \f$ \kappa \pi b^2 F/J^* \f$ for
+/// as long as it does, as nothing is used up. Each of the two takes its share; what is immovable, and a wall, takes
+/// none, and the other all of it. A law beside a contact, whose recorder it listens to.
 struct ImpactHeat {
   double kappa = 0.0;   ///< energy per area of a full reaction, >= 0 [J/m^2]
   double J_star = 1.0;  ///< impulse J* from which on the reaction is full, > 0 [N s]
