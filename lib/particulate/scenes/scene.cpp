@@ -70,6 +70,13 @@ void require_temperatures(Eigen::Index given, Eigen::Index N) {
       fmt::format("scene: the y of a state must hold a temperature a particle, {}, got {} numbers", N, given));
 }
 
+std::string below_zero(schemes::In y) {
+  for (Eigen::Index i = 0; i < y.size(); ++i) {
+    if (!(y[i] >= 0.0)) return fmt::format("temperatures must not be negative, but particle {} has {} K", i, y[i]);
+  }
+  return {};
+}
+
 void refuse_length(Eigen::Index given, Eigen::Index N) {
   throw std::invalid_argument(
       fmt::format("scene: vectors of {} particles must hold {} numbers, got {}", N, 3 * N, given));

@@ -55,6 +55,9 @@ double heat_of_impact(const L& law, const laws::At<laws::Temperature>& at, const
 // Adds what one law did to what all have done.
 void add_jump(schemes::Jump one, schemes::Jump& all);
 
+// Which temperature is below 0 K or no number; empty: none is.
+std::string below_zero(schemes::In y);
+
 [[noreturn]] void refuse_length(Eigen::Index given, Eigen::Index N);
 
 // The distance of the nearest two that are apart, of the positions of all bodies, column by column.
@@ -328,10 +331,12 @@ class Scene {
   /// Why a law has no force somewhere. @see schemes::SaysWhy
   ///
   /// @param state  a state of this scene
-  /// @return which particles are the reason and what to do; empty where every law that can tell has a force
+  /// @return which particles are the reason and what to do; empty where every law that can tell has a force, and every
+  ///         temperature is one
   std::string why_no_value(const schemes::State& state) const {
     const laws::At<> at = places(state.t, state.r);
     std::string why;
+    if constexpr (is_coupled) why = detail::below_zero(state.y);
     const auto ask = [&](const auto& law) {
       if (why.empty()) why = detail::why_of(law, domain_, at);
     };
