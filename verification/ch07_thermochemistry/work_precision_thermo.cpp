@@ -182,12 +182,12 @@ const Case runaway{
                 .truth = inverted(time_to, rate, 300.0)};
       std::vector<Competitor> all = stiff_ones(race, rows.quick());
       all.push_back(with_slope(
-          4.0, competitor("RK4", race, step_sizes(t_end, {650, 1.3, 4}), at_fixed_step<schemes::RungeKutta4>())));
+          4.0, competitor("RK4", race, step_sizes(t_end, {1000, 1.3, 4}), at_fixed_step<schemes::RungeKutta4>())));
       all.push_back(
           competitor("backward Euler, fixed point", race, step_sizes(t_end, {500, 2.0, rows.quick() ? 5 : 8}),
                      sweeping_at_fixed_step(schemes::BackwardEuler(), {.order = 1, .share = 1e-5, .T = 1.0})));
       rows.work_precision(
-          {.problem = "runaway", .reference = "closed form, inverted", .floor = 1e-13, .competitors = std::move(all)});
+          {.problem = "runaway", .reference = "closed form, inverted", .floor = 1e-14, .competitors = std::move(all)});
       compare_at_1e_8(rows, "runaway");
     }};
 
