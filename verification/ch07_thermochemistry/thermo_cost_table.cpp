@@ -1,0 +1,90 @@
+// What heat, bonds and what else a scene of chapter 7 has cost, absent, idle and used: instructions counted by
+// valgrind, allocations by malloc.
+
+#include <array>
+
+#include <fmt/format.h>
+
+#include <harness/case.hpp>
+#include <harness/instruction_count.hpp>
+#include <particulate/contact/contact.hpp>
+#include <particulate/report/table.hpp>
+#include <particulate/scenes/scene.hpp>
+#include <particulate/thermo/impact_heat.hpp>
+
+namespace verification::thermo_cost_table {
+
+using namespace particulate;
+
+// Scenes of the program by feature and state; everything else in them is alike.
+struct Feature {
+  const char *name, *absent, *idle, *used;
+  double most_idle;  // instructions that it may cost idle, per particle and step
+  const char* because;
+};
+constexpr std::array features{
+    Feature{"heat of impacts", "heat_absent", "heat_idle", "heat_used", 24.0,
+            "temperatures are carried from step to step"},
+    Feature{"cooling", "cooling_absent", "cooling_idle", "cooling_used", 400.0,
+            "a temperature that rides along through four stages, and a flux that is zero"},
+    Feature{"binding", "binding_absent", "binding_idle", "binding_used", 150.0,
+            "neighbours that are remembered, and one comparison a pair of them"},
+    Feature{"softening", "heat_used", "softening_idle", "softening_used", 40.0, "one factor a contact, which is 1"},
+    Feature{"obstacle", "obstacle_absent", "obstacle_idle", "obstacle_used", 60.0,
+            "a body more among those that are searched"}};
+
+void add_line(report::Table& table, const char* feature, const char* state, const StepCost& cost) {
+  table.add({feature, state, cost.instructions, cost.allocations, cost.bytes});
+}
+
+// Particles and a state with heat, and without.
+long bytes_of_heat(bool warm) {
+  kinematics::Particles two = kinematics::particles({{.position = {0.0, 0.0, 0.0}, .mass = 1.0, .radius = 0.1},
+                                                     {.position = {1.0, 0.0, 0.0}, .mass = 1.0, .radius = 0.1}});
+  const contact::Contact<contact::ConstantRestitution> contact;
+  const auto bytes = [](const auto& scene) {
+    const kinematics::Particles& all = scene.particles();
+    return 8L * (scenes::start(scene).y.size() + all.temperature.size() + all.heat_capacity.size());
+  };
+  if (!warm) return bytes(scenes::Scene(two, kinematics::Space{}, contact));
+  two.temperature = two.heat_capacity = Eigen::VectorXd::Ones(2);
+  return bytes(scenes::Scene(two, kinematics::Space{}, contact, thermo::ImpactHeat{}));
+}
+
+const Case thermo_cost{
+    {.name = "thermo_cost",
+     .claim = "what a scene leaves out of chapter 7 costs nothing, and what it has but does not use next to nothing",
+     .equation = "R 7.4",
+     .reference = Reference::independent_method},
+    [](Rows& rows) {
+      const StepCosts costs = step_costs(PARTICULATE_THERMO_COST, {.few = 10, .many = rows.quick() ? 20 : 60});
+      report::Table table({"feature", "state", "instructions per particle and step", "allocations per step",
+                           "bytes per particle and step"});
+      for (const Feature& feature : features) {
+        const StepCost &absent = costs.of(feature.absent), &idle = costs.of(feature.idle);
+        add_line(table, feature.name, "absent", absent);
+        add_line(table, feature.name, "idle", idle);
+        add_line(table, feature.name, "used", costs.of(feature.used));
+        rows.at_most(fmt::format("{}: instructions idle beyond absent, per particle and step", feature.name),
+                     {.limit = feature.most_idle,
+                      .computed = idle.instructions - absent.instructions,
+                      .because = feature.because});
+        rows.at_least(fmt::format("{}: instructions used over absent", feature.name),
+                      {.limit = 1.0 + 1e-3,
+                       .computed = costs.of(feature.used).instructions / absent.instructions,
+                       .because = "else it is not used"});
+      }
+      add_line(table, "heat of impacts", "the same impacts without it", costs.of("impacts_alone"));
+      for (const char* state : {"absent", "idle", "used"}) {
+        add_line(table, "cut-off", state, costs.of(fmt::format("cutoff_{}", state)));
+      }
+      rows.none("bytes of temperatures and heat capacities without heat", bytes_of_heat(false),
+                "absent arrays are empty");
+      rows.equal("the same of two particles with heat",
+                 {.expected = 48,
+                  .computed = bytes_of_heat(true),
+                  .because = "two arrays of the particles and one of the state, of two doubles each"});
+      rows.write("thermo_cost", table);
+    }};
+
+}  // namespace verification::thermo_cost_table
