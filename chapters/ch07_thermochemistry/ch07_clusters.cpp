@@ -37,7 +37,8 @@ double gyration_of_largest(const Flight& flight) {
   return kinematics::radius_of_gyration(places(members, Eigen::all));
 }
 
-void write_clusters(const std::vector<Flight>& starts, report::Chapter& chapter) {
+void write_clusters(std::vector<Flight> starts, const std::vector<Flight>& loose, report::Chapter& chapter) {
+  starts.insert(starts.end(), loose.begin(), loose.end());
   report::Table table({"bonds", "seed", "linked spheres [-]", "links a sphere [-]", "clusters", "largest",
                        "its gyration [m]", "deepest overlap / diameter [-]"});
   for (const Flight& one : starts) {
@@ -46,10 +47,10 @@ void write_clusters(const std::vector<Flight>& starts, report::Chapter& chapter)
     table.add({yes_or_no(one.bonds), one.seed, linked.linked_share(),
                static_cast<double>(linked.links) / static_cast<double>(linked.of.size()),
                static_cast<long>(linked.sizes.size()) - alone, linked.largest(), gyration_of_largest(one),
-               one.outcome.penetration});
+               one.deepest});
   }
   chapter.output().write("clusters", table);
-  const double deepest = report::spread_over(starts, [](const Flight& one) { return one.outcome.penetration; }).largest;
+  const double deepest = report::spread_over(starts, &Flight::deepest).largest;
   if (deepest > 0.1) {
     chapter.note(
         fmt::format("with steps of {:.3g} s spheres enter each other by up to {:.2g} of a diameter, more than "
@@ -60,29 +61,30 @@ void write_clusters(const std::vector<Flight>& starts, report::Chapter& chapter)
 
 //! @section ch07_sinking How deep they sink
 //!
-//! A contact that is found at the end of a step comes late. By then spheres have entered each other by their speed
-//! times the step, and what presses on a cluster keeps them there. So the first start, with bonds, is flown with other
-//! steps:
+//! A contact that is found at the end of a step comes late. By then spheres have entered each other by their speed times
+//! the step, and what presses on a cluster keeps them there. So all starts, with bonds, are flown with other steps:
 
 void compare_steps(const Parameters& p, const std::vector<Flight>& all, report::Chapter& chapter) {
   report::Table table({"step [s]", "deepest overlap / diameter [-]", "the same at the end [-]",
-                       "relative energy [J/kg]", "mean temperature [K]", "impacts"});
-  std::vector<Flight> flights;
+                       "relative energy, mean of starts [J/kg]", "its scatter [J/kg]", "rise of temperature, mean [K]",
+                       "its scatter [K]"});
+  std::vector<double> deepest, warm;
   for (const double share : steps) {
-    flights.push_back(those(all, [&](const Flight& one) {
-                        return one.seed == seed_of(p, 0) && one.bonds && !one.softens && one.kappa == p.kappa &&
-                               one.step == share * p.step;
-                      }).front());
-    const Flight& one = flights.back();
-    table.add({one.step, one.outcome.penetration, one.left, one.relative, theta_0 + one.rise, one.outcome.impacts});
+    const std::vector<Flight> flights = those(all, [&](const Flight& one) {
+      return one.bonds && !one.softens && one.kappa == p.kappa && one.step == share * p.step;
+    });
+    const Eigen::VectorXd energy = numbers_of(flights, &Flight::relative), rise = numbers_of(flights, &Flight::rise);
+    deepest.push_back(numbers_of(flights, &Flight::deepest).maxCoeff());
+    warm.push_back(theta_0 + rise.mean());
+    table.add({share * p.step, deepest.back(), numbers_of(flights, &Flight::left).maxCoeff(), energy.mean(),
+               scatter_of(energy), rise.mean(), scatter_of(rise)});
   }
   chapter.output().write("steps", table);
-  claim_of_own(p, chapter, "deepest overlap with an eighth of the longest step, over that with it",
-               flights.back().outcome.penetration / flights.front().outcome.penetration, 0.2);
-  flights.pop_back();
-  const report::Spread warm = report::spread_over(flights, [](const Flight& one) { return theta_0 + one.rise; });
+  claim_of_own(p, chapter, "deepest overlap with a quarter of the longest step, over that with it",
+               deepest.back() / deepest.front(), 0.4);
+  const report::Spread spread = report::spread_of(warm);
   claim_of_own(p, chapter, "mean temperature with steps of 2 Dt, Dt and Dt/2, its range over its median",
-               (warm.largest - warm.least) / warm.median, 0.01);
+               (spread.largest - spread.least) / spread.median, 0.01);
 }
 
 //! Places are drawn about the centre of the cloud.
@@ -108,9 +110,7 @@ void write_places(const std::vector<Flight>& watched, const report::Output& outp
 }  // namespace
 
 void clusters(const Parameters& p, const std::vector<Flight>& all, report::Chapter& chapter) {
-  write_clusters(
-      those(all, [&](const Flight& one) { return !one.softens && one.kappa == p.kappa && one.step == p.step; }),
-      chapter);
+  write_clusters(alike(p, all, true, false), alike(p, all, false, false), chapter);
   compare_steps(p, all, chapter);
   write_places(those(all, [](const Flight& one) { return one.watched; }), chapter.output());
 }
@@ -121,23 +121,23 @@ void clusters(const Parameters& p, const std::vector<Flight>& all, report::Chapt
 //!
 //! @table{ch07_clusters}
 //!
-//! With bonds nearly every sphere is linked to another at the end. Clusters are chains and clumps of a few to many
-//! dozens; how large the largest is depends on the start more than anything else on these pages, as one bond joins two
-//! clusters. Without bonds spheres are linked because they happen to be near, mostly in pairs that are about to part.
+//! With bonds most spheres are linked to another at the end, in chains and clumps of all sizes. How large the largest
+//! is depends on the start more than anything else on these pages, as one bond joins two clusters. Without bonds
+//! spheres are linked because they happen to be near, mostly in pairs that are about to part.
 //!
 //! @section ch07_sinking_results Overlap
 //!
 //! @table{ch07_steps}
 //!
-//! The deepest overlap goes with the step, in clusters and outside alike: the last column of the other table shows that
-//! flights without bonds enter as deep, by their fast first impacts. What remains at the end lies within clusters:
-//! nothing pushes apart what rests in each other, as a contact takes an approach away and not an overlap. A program
-//! warns where a flight exceeds a tenth of a diameter. Energy and temperature hardly depend on it, by less than on the
-//! start, and with backward Euler, which damps the swings of a bond, there would be more of both clusters and overlap.
+//! The deepest overlap goes with the step. It is made by impacts that are seen late, with bonds and without: compare the
+//! last column of the other table. What remains at the end is less, and lies within clusters, where nothing pushes apart
+//! what rests in each other. The program warns where a flight exceeds a tenth of a diameter. Energy and temperature
+//! move with the step by no more than about what starts differ in.
 //!
 //! @section ch07_clusters_exercises Exercises
 //!
 //! 1. Take `--link 0.055` and 0.08. Which columns depend on it, and why does the share of linked spheres hardly?
 //! 2. How many links may a sphere in a clump have at most, and how many have those of a chain? What do the numbers of
 //!    the table tell of the clusters' shape?
-//! 3. Give bonds a strength at touching: add a constant to the shape \f$ W \f$. How deep do spheres sink then?
+//! 3. Fly the cloud by backward Euler, as in chapter 4. It damps the swings of a bond: does it exaggerate clusters?
+//! 4. Give bonds a strength at touching: add a constant to the shape \f$ W \f$. How deep do spheres sink then?

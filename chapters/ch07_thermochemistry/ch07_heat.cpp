@@ -90,8 +90,8 @@ void after_the_impact(const report::Output& output, report::Checks& checks) {
   const kinematics::Particles one = grain(theta_0);
   const double capacity = one.mass[0] * one.heat_capacity[0], a_s = thermo::surface(one.radius[0]);
   const double tau = capacity / (50.0 * a_s), k = thermo::stefan_boltzmann * a_s / capacity;
-  add("convection", 1000.0, thermo::convected_temperature(1000.0, 300.0, tau, 2.0 * tau), 2.0 * tau,
-      thermo::Cooling{.h_c = 50.0, .theta_o = 300.0});
+  add("convection", 1000.0, thermo::convected_temperature(1000.0, 350.0, tau, 2.0 * tau), 2.0 * tau,
+      thermo::Cooling{.h_c = 50.0, .theta_o = 350.0});
   for (const double theta_s : {0.0, 300.0}) {
     add(theta_s > 0.0 ? "radiation to 300 K" : "radiation to 0 K", 1e4, 500.0,
         thermo::radiation_time(k, 1e4, 500.0, theta_s), thermo::Cooling{.emissivity = 1.0, .theta_s = theta_s});

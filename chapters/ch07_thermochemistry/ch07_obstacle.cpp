@@ -159,7 +159,7 @@ void obstacle(const Parameters& p, report::Chapter& chapter) {
 //! far more the whole, as most are turned aside and never do. This is what the captions say. It holds for *like
 //! charges*, that is for a near field without attraction and an obstacle with a charge of its own. The captions tell
 //! attraction and repulsion, and no charge of the obstacle. Taken at their word, with an obstacle that the near field
-//! does not see, the cloud draws itself together on its way and hits *harder*: the whole impulse then is larger than
+//! does not see, the cloud draws itself together on its way and hits *more*: the whole impulse then is larger than
 //! without a near field in every start. So the sign belongs to the charges, and we say which (@ref errata).
 //!
 //! @section ch07_obstacle_exercises Exercises

@@ -154,6 +154,22 @@ void for_each_run(const std::string& label, int count, int threads, const std::f
   for (std::future<void>& other : others) other.get();
 }
 
+std::vector<Flight> alike(const Parameters& p, const std::vector<Flight>& all, bool bonds, bool softens) {
+  return those(all, [&](const Flight& one) {
+    return one.bonds == bonds && one.softens == softens && one.kappa == p.kappa && one.step == p.step;
+  });
+}
+
+Eigen::VectorXd numbers_of(const std::vector<Flight>& flights, double Flight::*number) {
+  Eigen::VectorXd numbers(static_cast<Eigen::Index>(flights.size()));
+  std::transform(flights.begin(), flights.end(), numbers.begin(), [&](const Flight& one) { return one.*number; });
+  return numbers;
+}
+
+double scatter_of(const Eigen::VectorXd& numbers) {
+  return std::sqrt((numbers.array() - numbers.mean()).square().sum() / static_cast<double>(numbers.size() - 1));
+}
+
 //! A run with the chapter's own numbers is one that was given none:
 
 bool are_own(const Parameters& p) {
@@ -215,5 +231,5 @@ int main(int argc, char** argv) {
 //! - *Here heat is a passenger.* It is carried along, and acts on nothing within a step; a staggered scheme has nothing
 //!   to iterate. Two-way coupling is chapter 3's pair of fields, and chapter 8's fluid.
 //! - *One start proves little.* Every comparison is one over several starts, as impacts amplify any difference.
-//! - *Stepped contact is a matter of the step.* Overlap shrinks with it, the answers hardly move.
+//! - *Stepped contact is a matter of the step.* Overlap shrinks with it, in proportion; the answers hardly move.
 //! - *A sign may belong to a parameter.* That charges protect an obstacle is true of like charges.

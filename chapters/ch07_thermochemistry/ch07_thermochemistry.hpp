@@ -100,15 +100,16 @@ struct Flight {
   std::vector<schemes::State> moments = {};  // if it is watched
   schemes::State end = {};
   schemes::Outcome outcome = {};
-  Eigen::MatrixXd history = {};       // rows of scenes::History
-  double relative = NAN, left = NAN;  // at the end: energy [J/kg], overlap over a diameter [-]
-  double rise = NAN;                  // of the mean temperature [K]
+  Eigen::MatrixXd history = {};      // rows of scenes::History
+  double relative = NAN;             // energy at the end [J/kg]
+  double deepest = NAN, left = NAN;  // overlap over a diameter, of the flight and at its end [-]
+  double rise = NAN;                 // of the mean temperature [K]
   thermo::Clusters linked = {};
 };
 
-//! Of the first start some are flown with other steps as well, of which these are the shares:
+//! With bonds every start is flown with other steps as well, of which these are the shares:
 
-inline constexpr std::array<double, 4> steps{2.0, 1.0, 0.5, 0.25};
+inline constexpr std::array<double, 3> steps{2.0, 1.0, 0.5};
 
 //! @section ch07_shared_runs Many runs
 //!
@@ -134,6 +135,13 @@ std::vector<Flight> those(const std::vector<Flight>& all, const Has& has) {
   std::copy_if(all.begin(), all.end(), std::back_inserter(some), has);
   return some;
 }
+
+// Of all starts, with the whole reaction and the step of the parameters.
+std::vector<Flight> alike(const Parameters& p, const std::vector<Flight>& all, bool bonds, bool softens);
+
+// A number that each has, and the standard deviation of several.
+Eigen::VectorXd numbers_of(const std::vector<Flight>& flights, double Flight::*number);
+double scatter_of(const Eigen::VectorXd& numbers);
 
 inline const char* yes_or_no(bool is) { return is ? "yes" : "no"; }
 

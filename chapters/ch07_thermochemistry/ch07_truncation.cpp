@@ -153,5 +153,6 @@ void truncation(const report::Output& output, report::Checks& checks) {
 //! @section ch07_truncation_exercises Exercises
 //!
 //! 1. Derive \f$ d^* \f$. For which exponents does it lie at infinity, so that no pair gives way?
-//! 2. Cut the chain off at \f$ 2.5\, a \f$, then at \f$ 3.5\, a \f$. How far is it from stable?
+//! 2. Cut the chain off farther out, with more neighbours in `least_eigenvalue`. From which on does it give way? Is the
+//!    advice necessary, or is it enough?
 //! 3. Let the particles of the chain leave their line. Which eigenvalues appear, and is the chain stable against them?
