@@ -195,6 +195,9 @@ std::vector<Flight> energies(const Parameters& p, report::Chapter& chapter) {
   check_reactions(first, chapter.claims("checks"));
   compare_starts(p, alike(p, all, false, false), alike(p, all, true, false), chapter);
   compare_softening(p, all, chapter);
+  chapter.summary().add({"spheres of a cloud", particles_of(p)});
+  chapter.summary().add({"impacts in the first start with bonds", alike(p, all, true, false).front().outcome.impacts});
+  chapter.summary().add({"and without", alike(p, all, false, false).front().outcome.impacts});
   return all;
 }
 
@@ -204,9 +207,10 @@ std::vector<Flight> energies(const Parameters& p, report::Chapter& chapter) {
 //!
 //! @figure{ch07_energy, Kinetic energy per unit mass\, with bonds (above: Figure 7.7) and without (below: Figure 7.8). Broad: not softened\, four curves in one. Thin: softened\, one for each reaction.}
 //!
-//! Kinetic energy rises and falls as the cloud breathes: near neighbours repel, the cloud as a whole attracts. Bonds
-//! take from that. Two spheres that come near fall into their bond, hit, lose energy and stay; then they share one
-//! motion. Start by start the relative energy that is left at the end is much smaller with bonds:
+//! Kinetic energy rises and falls as the cloud breathes: near neighbours repel, the cloud as a whole attracts. Bonds take
+//! from that. Two spheres that come near fall into their bond, hit, lose energy and stay; then they share one motion.
+//! Start by start the relative energy that is left at the end is much smaller with bonds. By how much depends on where in
+//! its breath the cloud then is, and so on the number of its spheres:
 //!
 //! @table{ch07_starts}
 //!

@@ -40,8 +40,8 @@ inline constexpr const char* ours = "our choice";
 
 struct Parameters {
   report::CommandLine& line;
-  int& particles =
-      line.field(1000, {"particles", "spheres of a cloud, half of them with --quick", "-", between(600, 1400), "4.1"});
+  int& particles = line.field(
+      1000, {"particles", "spheres of a cloud, seven tenths of them with --quick", "-", between(600, 1400), "4.1"});
   int& seeds = line.field(8, {"seeds", "starts of every comparison, half with --quick", "-", between(4, 10), ours});
   double& duration = line.field(1.0, {"duration", "of the flight of a cloud", "s", between(0.2, 1.2), "4.1"});
   double& step = line.field(0.0025, {"step", "of it, Dt", "s", between(0.001, 0.004), ours});
