@@ -80,7 +80,8 @@ unset multiplot
 # Figures 7.9 and 7.10: mean temperature.
 set output 'ch07_temperature.svg'
 set multiplot layout 2,1
-set key inside top left
+set tmargin 2.5
+set key inside top left maxcols 1
 set ylabel 'mean temperature [K]'
 do for [bonds in 'yes no'] {
   set label 1 bonds eq 'yes' ? 'with bonds' : 'without bonds' at graph 0.5, 1.06 center
@@ -91,6 +92,7 @@ do for [bonds in 'yes no'] {
 unset multiplot
 unset label
 set lmargin -1
+set tmargin -1
 
 # Impulses and forces on the obstacle, over windows of time: Figures 7.14 and 7.15.
 set key outside top center horizontal maxcols 3
