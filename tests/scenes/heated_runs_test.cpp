@@ -133,7 +133,7 @@ BOOST_AUTO_TEST_CASE(says_which_temperature_is_none) {
   state.y[7] = -5.0;
   const schemes::Outcome out = integrate(scene, state, 1.0, schemes::RungeKutta4{}, schemes::FixedStep{.step = 0.1});
   BOOST_TEST((out.failure == schemes::Failure::no_value));
-  BOOST_TEST(contains(out.reason, "temperatures must not be negative, but particle 7 has -5 K"));
+  BOOST_TEST(contains(out.reason, "particle 7 has a temperature of -5 K, which must not be negative"));
   state.y[7] = NAN;
   CHECK_REFUSED(integrate(scene, state, 1.0, schemes::RungeKutta4{}, schemes::FixedStep{.step = 0.1}), "finite");
 }

@@ -56,25 +56,26 @@ double closest(const kinematics::Space& domain, schemes::In r) {
   return nearest;
 }
 
+std::string why_no_temperature(schemes::In y) {
+  for (Eigen::Index i = 0; i < y.size(); ++i) {
+    if (y[i] >= 0.0) continue;
+    return fmt::format("particle {} has a temperature of {} K, which must not be negative: take a smaller step", i,
+                       y[i]);
+  }
+  return {};
+}
+
 void require_temperatures(const kinematics::Particles& particles) {
   if (particles.temperature.size() == particles.size()) return;
   throw std::invalid_argument(
       "scene: its laws exchange heat, so that every particle must have a temperature and a heat capacity, but they "
-      "have "
-      "none: give Particles::temperature and heat_capacity");
+      "have none: give Particles::temperature and heat_capacity");
 }
 
 void require_temperatures(Eigen::Index given, Eigen::Index N) {
   if (given == N) return;
   throw std::invalid_argument(
       fmt::format("scene: the y of a state must hold a temperature a particle, {}, got {} numbers", N, given));
-}
-
-std::string below_zero(schemes::In y) {
-  for (Eigen::Index i = 0; i < y.size(); ++i) {
-    if (!(y[i] >= 0.0)) return fmt::format("temperatures must not be negative, but particle {} has {} K", i, y[i]);
-  }
-  return {};
 }
 
 void refuse_length(Eigen::Index given, Eigen::Index N) {
