@@ -142,7 +142,7 @@ BOOST_AUTO_TEST_CASE(fails_where_a_field_does_and_leaves_the_state_alone) {
   state = scenes::start(scene);
   state.y[0] = -5.0;
   out = integrate(fields, state, tau, scheme, schemes::FixedStep{.step = tau, .TOL = 1.0});
-  BOOST_TEST(contains(out.reason, "particle 0 has -5 K"));
+  BOOST_TEST(contains(out.reason, "particle 0 has a temperature of -5 K"));
 }
 
 // Contacts and their heat come once a step.

@@ -55,8 +55,6 @@ double heat_of_impact(const L& law, const laws::At<laws::Temperature>& at, const
 // Adds what one law did to what all have done.
 void add_jump(schemes::Jump one, schemes::Jump& all);
 
-// Which temperature is below 0 K or no number; empty: none is.
-
 [[noreturn]] void refuse_length(Eigen::Index given, Eigen::Index N);
 
 // The distance of the nearest two that are apart, of the positions of all bodies, column by column.
