@@ -154,8 +154,8 @@ void heat(const Parameters& p, report::Chapter& chapter) {
 //!
 //! 1. How large must a sphere be for convection and radiation to cool it equally fast at 1000 K? Does the radius
 //!    matter?
-//! 2. Which temperature does a sphere end at with \f$ \theta_o = 350 \f$ K and \f$ \theta_s = 300 \f$ K? Find it with
-//!    particulate::thermo::equilibrium_temperature, and from a run.
+//! 2. Which temperature does a sphere end at with \f$ \theta_o = 350 \f$ K and \f$ \theta_s = 300 \f$ K? Find it by
+//!    @ref particulate::thermo::equilibrium_temperature "the library's function", and from a run.
 //! 3. How exactly can a run know its temperature at the time at which the runaway reaches 1000 K? At which temperature
 //!    can rounding alone make any answer worthless?
 //! 4. Let a force depend on temperature, as a spring that softens. How many sweeps does a step take now?

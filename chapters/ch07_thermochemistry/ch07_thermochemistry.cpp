@@ -76,7 +76,6 @@
 
 #include <particulate/report/progress.hpp>
 #include <particulate/thermo/binding.hpp>
-#include <particulate/thermo/impact_heat.hpp>
 
 #include "ch07_thermochemistry.hpp"
 

@@ -89,18 +89,20 @@ void write_pair(const report::Output& output, report::Checks& checks) {
 //! over all neighbours to half of the ring, whose last one is there once, or over the next two alone. One of them is
 //! zero: all move together. If another is negative, the chain gives way.
 
-double least_eigenvalue(int N, int neighbours) {
+double eigenvalue(int N, int neighbours, int m) {
   const kinematics::CentralForce pair = laws::pair_law(near_field, 1.0, 1.0);
   const double a = kinematics::equilibrium_distance(pair);
-  double least = std::numeric_limits<double>::infinity();
-  for (int m = 1; m < N; ++m) {
-    double sum = 0.0;
-    for (int k = 1; k <= neighbours; ++k) {
-      const double twice = 2 * k == N ? 1.0 : 2.0;
-      sum += twice * kinematics::normal_stiffness(pair, k * a) * (1.0 - std::cos(2.0 * std::numbers::pi * m * k / N));
-    }
-    least = std::min(least, sum);
+  double sum = 0.0;
+  for (int k = 1; k <= neighbours; ++k) {
+    const double twice = 2 * k == N ? 1.0 : 2.0;
+    sum += twice * kinematics::normal_stiffness(pair, k * a) * (1.0 - std::cos(2.0 * std::numbers::pi * m * k / N));
   }
+  return sum;
+}
+
+double least_eigenvalue(int N, int neighbours) {
+  double least = std::numeric_limits<double>::infinity();
+  for (int m = 1; m < N; ++m) least = std::min(least, eigenvalue(N, neighbours, m));
   return least;
 }
 
@@ -114,6 +116,12 @@ void write_chain(const report::Output& output, report::Checks& checks) {
     unstable += cut > 0.0 ? 0.0 : 1.0;
   }
   output.write("chain", chain);
+  constexpr int longest = 64;
+  report::Table waves({"wave length / spacing [-]", "all pairs [N/m]", "cut off at d* [N/m]"});
+  for (int m = 1; m <= longest / 2; ++m) {
+    waves.add({static_cast<double>(longest) / m, eigenvalue(longest, longest / 2, m), eigenvalue(longest, 2, m)});
+  }
+  output.write("waves", waves);
   checks.add("chains that are stable with all pairs", stable, 0.0);
   checks.add("chains that are unstable though cut off at d*", unstable, 0.0);
 }
@@ -132,6 +140,8 @@ void truncation(const report::Output& output, report::Checks& checks) {
 //! @table{ch07_distances}
 //!
 //! @table{ch07_chain}
+//!
+//! @figure{ch07_waves, Eigenvalues of the longest chain by the length of their wave: below zero it gives way.}
 //!
 //! With all pairs the chain is unstable, the more so the longer it is; cut off at the inflection it is stable. Its
 //! least stiffness then belongs to the longest wave, and falls with \f$ N^{-2} \f$ as that of any chain of springs

@@ -57,6 +57,18 @@ plot 0 with lines lc rgb 'gray' lw 1 notitle, \
 unset arrow
 unset label
 
+# A chain of particles: its eigenvalues.
+set autoscale
+set output 'ch07_waves.svg'
+set logscale x 2
+set format x '%g'
+set xlabel 'wave length / spacing'
+set ylabel 'eigenvalue [N/m]'
+plot 0 with lines lc rgb 'gray' lw 1 notitle, \
+     file('waves') skip 1 using 1:2 with linespoints lt 2 title 'all pairs', \
+     file('waves') skip 1 using 1:3 with linespoints lt 1 title 'cut off at d^*'
+unset logscale
+
 # Figures 7.7 and 7.8: kinetic energy. Without softening there is one curve for all four reactions.
 set autoscale
 stats file('energies') skip 1 using 3 name 'kappa' nooutput
