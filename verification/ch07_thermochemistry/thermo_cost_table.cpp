@@ -57,7 +57,7 @@ const Case thermo_cost{
      .equation = "R 7.4",
      .reference = Reference::independent_method},
     [](Rows& rows) {
-      const StepCosts costs = step_costs(PARTICULATE_THERMO_COST, {.few = 10, .many = rows.quick() ? 20 : 60});
+      const StepCosts costs = step_costs(PARTICULATE_THERMO_COST, {.few = 5, .many = rows.quick() ? 10 : 60});
       report::Table table({"feature", "state", "instructions per particle and step", "allocations per step",
                            "bytes per particle and step"});
       for (const Feature& feature : features) {
