@@ -19,6 +19,8 @@ set(assignment_topics_ch05 identification)
 set(assignment_sources_ch05 identification/mating)
 set(assignment_topics_ch06 swarm)
 set(assignment_sources_ch06 kinematics/particles schemes/state swarm/objective)
+set(assignment_topics_ch07 thermo)
+set(assignment_sources_ch07 thermo/cooling)
 
 # assignment_library(<chNN> <variable>): the targets that hold what the check compares with. In the project's own build
 # they are the topics; alone, a library of the few sources that are needed, which compiles in seconds.

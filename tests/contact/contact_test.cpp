@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "close.hpp"
@@ -124,6 +125,24 @@ BOOST_AUTO_TEST_CASE(finds_walls_that_are_touched) {
   found = find_touching(room, cloud.at());
   BOOST_TEST(close(found.contacts.back().n, Eigen::Vector3d(1.0, 0.0, 0.0), {}));
   BOOST_TEST(found.overlap == 1.5);  // 1 behind the wall, and its radius
+}
+
+// Depth over the smaller diameter: of radii 1 and 0.25, of a sphere and a point in it, of a sphere in a wall. A point
+// in a wall has no diameter at all.
+BOOST_AUTO_TEST_CASE(tells_the_depth_by_the_smaller_diameter) {
+  const auto penetration = [](double first, double second, double distance) {
+    const Moment pair{particles({{.position = {0.0, 0.0, 0.0}, .mass = 1.0, .radius = first},
+                                 {.position = {distance, 0.0, 0.0}, .mass = 1.0, .radius = second}})};
+    const Touching found =
+        find_touching(Space{.walls = {{.point = {-1.0, 0.0, 0.0}, .normal = {1.0, 0.0, 0.0}}}}, pair.at());
+    return std::pair{found.overlap, found.penetration};
+  };
+  BOOST_TEST((penetration(0.75, 0.25, 0.875) == std::pair{0.125, 0.25}));
+  BOOST_TEST((penetration(0.25, 0.75, 0.875) == std::pair{0.125, 0.25}));
+  BOOST_TEST((penetration(0.5, 0.0, 0.25) == std::pair{0.25, 0.25}));
+  BOOST_TEST((penetration(1.25, 0.25, 4.0) == std::pair{0.25, 0.1}));
+  BOOST_TEST((penetration(0.0, 0.25, 4.0) == std::pair{0.0, 0.0}));
+  BOOST_TEST((penetration(0.0, 0.0, -1.5) == std::pair{0.5, 0.0}));
 }
 
 BOOST_AUTO_TEST_CASE(says_when_a_direction_is_missing) {

@@ -886,6 +886,11 @@ BOOST_AUTO_TEST_CASE(must_be_positive_and_the_taper_within_it) {
                 "cutoff - taper > d_e, or nothing attracts; got cutoff d_c = 0.5 m and taper w = 0 m");
   CHECK_REFUSED(validate(ending(0.9, 0.4)), "equilibrium distance d_e = 0.5 m");
   CHECK_REFUSED(validate(ending(0.9, 0.4)), "up to the inflection d* = 1 m");
+  for (const Scaling other : {Scaling::pair, Scaling::area}) {
+    NearField law = ending(0.9, 0.4);
+    law.scaling = other;
+    CHECK_REFUSED(validate(law), "equilibrium distance d_e = 0.5 m");
+  }
   validate(ending(0.9, 0.39));
   validate(ending(2.0, 0.5));
   validate(NearField{.alpha2 = 0.25, .cutoff = 0.01});

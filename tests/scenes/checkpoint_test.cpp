@@ -22,7 +22,10 @@
 #include <particulate/schemes/phi_control.hpp>
 #include <particulate/schemes/phi_family.hpp>
 #include <particulate/schemes/runge_kutta.hpp>
+#include <particulate/schemes/symplectic_euler.hpp>
 #include <particulate/schemes/verlet.hpp>
+#include <particulate/thermo/cooling.hpp>
+#include <particulate/thermo/impact_heat.hpp>
 
 #include "close.hpp"
 
@@ -33,6 +36,8 @@ using namespace particulate::kinematics;
 using namespace particulate::laws;
 using namespace particulate::scenes;
 using namespace particulate::schemes;
+using particulate::thermo::Cooling;
+using particulate::thermo::ImpactHeat;
 
 // Eight spheres at the corners of a cube, each on its way to the middle and past it, which takes a second: they hit
 // each other in every leg.
@@ -183,6 +188,24 @@ BOOST_AUTO_TEST_CASE(has_the_same_bits_with_stepped_contacts) {
   same_bits(cloud_of(scene));
 }
 
+// Temperatures that impacts raise and surroundings lower: by every kind of scheme that carries their rate, and by
+// Verlet where impacts alone change them.
+BOOST_AUTO_TEST_CASE(has_the_same_bits_with_heat) {
+  Particles warm = implosion();
+  warm.temperature = Eigen::VectorXd::LinSpaced(8, 300.0, 400.0);
+  warm.heat_capacity = Eigen::VectorXd::Constant(8, 0.01);
+  const Contact<ConstantRestitution, Friction> hits{.restitution = {0.5}, .friction = friction};
+  const ImpactHeat heat{.kappa = 0.1, .J_star = 0.1};
+  same_bits(cloud_of(Scene(warm, Space{}, hits, heat)), "heat of impacts", VelocityVerlet());
+  const Scene scene(warm, Space{}, hits, heat, Cooling{.h_c = 0.1});
+  const Cloud cloud = cloud_of(scene);
+  same_bits(cloud, "symplectic Euler", SymplecticEuler());
+  same_bits(cloud, "RK4", RungeKutta4());
+  same_bits(cloud, "trapezoidal", PhiFamily(0.5));
+  same_bits(cloud, "Gauss 3", Collocation<Gauss<3>>());
+  same_bits(cloud, "Radau 3", Collocation<Radau<3>>());
+}
+
 BOOST_AUTO_TEST_CASE(has_the_same_bits_with_located_contacts) {
   const Scene scene(implosion(), Space{}, field,
                     LocatedContact<ConstantRestitution, Friction>{.restitution = {0.8}, .friction = friction});
@@ -211,8 +234,11 @@ Checkpoint small() {
                       .contraction = 0.5,
                       .overlap = 0.25,
                       .overlap_at_start = 0.125,
+                      .penetration = 0.25,
                       .travel = 2.0,
                       .energy_change = -1.0,
+                      .heat = 1.5,
+                      .released = 0.5,
                       .jumps_by_law = {{.impacts = 3, .energy_change = -2.0}, {.impacts = 2, .energy_change = 1.0}},
                       .ruled = "spring"},
           .more = {{"empty", {}}, {"rows", {1.0, 2.0, not_a_number}}}};

@@ -73,8 +73,11 @@ BOOST_AUTO_TEST_CASE(has_no_value_at_a_negative_temperature) {
   Eigen::VectorXd a(3), dy(1);
   state.y[0] = -1e-300;
   BOOST_TEST(!scene.rates(0.0, state.r, state.v, state.y, a, dy));
+  BOOST_TEST(scene.why_no_value(state) ==
+             "particle 0 has a temperature of -1e-300 K, which must not be negative: take a smaller step");
   state.y[0] = 0.0;
   BOOST_TEST(scene.rates(0.0, state.r, state.v, state.y, a, dy));
+  BOOST_TEST(scene.why_no_value(state).empty());
 }
 
 BOOST_AUTO_TEST_CASE(refuses_particles_and_states_without_temperatures) {

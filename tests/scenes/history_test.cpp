@@ -9,6 +9,7 @@
 #include <particulate/schemes/fixed_step.hpp>
 #include <particulate/schemes/legs.hpp>
 #include <particulate/schemes/verlet.hpp>
+#include <particulate/thermo/impact_heat.hpp>
 
 #include "close.hpp"
 #include "problems.hpp"
@@ -117,6 +118,24 @@ BOOST_AUTO_TEST_CASE(goes_on_where_another_was) {
     CHECK_REFUSED(other->remember(first.memory()), "must be of the same scene and the same times");
   }
   CHECK_REFUSED(others.remember({}), "got 0 numbers");
+}
+
+// The same pair, of 2 J/(kg K): the 1.125 J that the impact takes warm 1 kg by 0.28125 K and 3 kg by a third of that.
+BOOST_AUTO_TEST_CASE(tells_heat_and_temperature_of_a_scene_that_has_them) {
+  Particles warm = pair();
+  warm.temperature = Eigen::Vector2d(300.0, 310.0);
+  warm.heat_capacity = Eigen::Vector2d(2.0, 2.0);
+  const Scene scene(warm, Space{}, LocatedContact<>{.restitution = {0.5}}, particulate::thermo::ImpactHeat{});
+  History history(scene, {0.3, 1.0});
+  State state = start(scene);
+  const Outcome outcome = run(scene, state, 1.0, VelocityVerlet(), FixedStep{.step = 0.25}, history);
+  const std::vector<std::string> last(history.columns().end() - 3, history.columns().end());
+  BOOST_TEST(last == std::vector<std::string>({"heat [J/kg]", "released [J/kg]", "temperature [K]"}),
+             boost::test_tools::per_element());
+  Eigen::MatrixXd expected(2, 3);
+  expected << 0.0, 0.0, 305.0, 0.28125, 0.0, 305.0 + 0.5 * (0.28125 + 0.09375);
+  BOOST_TEST(close(history.rows().rightCols(3), expected, {.relative = 1e-14}));
+  BOOST_TEST(outcome.heat == 1.125, tolerance(1e-14));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -159,6 +159,26 @@ BOOST_AUTO_TEST_CASE(closes_what_it_opens) {
   BOOST_TEST(open.empty());
 }
 
+// Temperatures are those of the state, not of the start.
+BOOST_AUTO_TEST_CASE(writes_temperatures_where_there_are_any) {
+  Particles warm = three();
+  warm.temperature = Eigen::Vector3d::Constant(300.0);
+  warm.heat_capacity = Eigen::Vector3d::Ones();
+  State at = moment();
+  at.y = Eigen::Vector3d(310.0, 0.1, 1e5);
+  std::ostringstream points, frame, cold;
+  write_vtk(points, warm, {}, at);
+  write_xyz(frame, warm, {}, at);
+  write_xyz(cold, three(), {}, moment());
+  const std::size_t column = points.str().find("Name=\"temperature\"");
+  BOOST_TEST_REQUIRE(column != std::string::npos);
+  BOOST_TEST(numbers(points.str().substr(column), ">", 3) == std::vector<double>({310.0, 0.1, 1e5}),
+             boost::test_tools::per_element());
+  BOOST_TEST(contains(frame.str(), ":temperature:R:1"));
+  BOOST_TEST(contains(frame.str(), " 310\n"));
+  BOOST_TEST(!contains(cold.str(), "temperature"));
+}
+
 BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace tests::snapshot_test

@@ -40,8 +40,11 @@ BOOST_AUTO_TEST_CASE(adds_counts_and_keeps_what_is_largest) {
                  .contraction = 0.5,
                  .overlap = 0.25,
                  .overlap_at_start = 0.125,
+                 .penetration = 0.375,
                  .travel = 2.0,
                  .energy_change = -1.0,
+                 .heat = 3.0,
+                 .released = 2.0,
                  .jumps_by_law = {{.impacts = 2, .energy_change = -1.0}},
                  .ruled = "spring"};
   run += Outcome{.status = Status::failed,
@@ -57,8 +60,10 @@ BOOST_AUTO_TEST_CASE(adds_counts_and_keeps_what_is_largest) {
                  .contraction = 0.25,
                  .overlap = 0.5,
                  .overlap_at_start = 0.75,
+                 .penetration = 0.25,
                  .travel = 1.0,
                  .energy_change = -0.5,
+                 .heat = 0.5,
                  .jumps_by_law = {{.impacts = 3, .energy_change = -0.5}, {.impacts = 1, .energy_change = 2.0}}};
   BOOST_TEST((run.status == Status::failed && run.failure == Failure::slow));
   BOOST_TEST(run.reason == "why");
@@ -74,6 +79,9 @@ BOOST_AUTO_TEST_CASE(adds_counts_and_keeps_what_is_largest) {
   BOOST_TEST(run.overlap_at_start == 0.125);
   BOOST_TEST(run.travel == 2.0);
   BOOST_TEST(run.energy_change == -1.5);
+  BOOST_TEST(run.penetration == 0.375);
+  BOOST_TEST(run.heat == 3.5);
+  BOOST_TEST(run.released == 2.0);
   BOOST_TEST_REQUIRE(run.jumps_by_law.size() == 2U);
   BOOST_TEST(run.jumps_by_law[0].impacts == 5);
   BOOST_TEST(run.jumps_by_law[0].energy_change == -1.5);

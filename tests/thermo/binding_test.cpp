@@ -1,5 +1,8 @@
 #include <particulate/thermo/binding.hpp>
 
+#include <algorithm>
+#include <cmath>
+
 #include <particulate/laws/near_field.hpp>
 #include <particulate/scenes/scene.hpp>
 
@@ -79,6 +82,57 @@ BOOST_AUTO_TEST_CASE(balances_a_near_field_where_it_should) {
   const double h = 1e-7, stiffness = (pull_at(d_e + h) - pull_at(d_e - h)) / (2.0 * h);
   BOOST_TEST(std::abs(pull_at(d_e)) < 1e-10);
   BOOST_TEST(stiffness == 23001.8434894926, tolerance(1e-7));
+}
+
+// Of a cloud in space that repeats itself, with points among it, against all pairs with their nearest images by hand.
+// A second bond of twice the strength adds twice as much.
+BOOST_AUTO_TEST_CASE(is_that_of_all_pairs_in_space_that_repeats_itself) {
+  kinematics::Particles cloud = random_cloud(120, {1.0, 2.0, 1.5}, 0.005, 0.05);
+  cloud.radius.head(20).setZero();
+  cloud.mass = Eigen::VectorXd::LinSpaced(120, 0.5, 2.0);
+  const Space space{.lengths = {1.0, 2.0, 1.5}};
+  const Binding one{.F_b = 3.0, .d_b = 0.25}, other{.F_b = 6.0, .d_b = 0.25};
+  const scenes::Scene scene(cloud, space, one, other);
+  const schemes::State state = scenes::start(scene);
+  kinematics::Vectors expected = kinematics::Vectors::Zero(120, 3);
+  double energy = 0.0;
+  long bonds = 0;
+  for (Eigen::Index i = 0; i < 120; ++i) {
+    for (Eigen::Index j = 0; j < i; ++j) {
+      Eigen::Vector3d apart = cloud.position.row(j) - cloud.position.row(i);
+      for (Eigen::Index k = 0; k < 3; ++k) apart[k] -= space.lengths[k] * std::round(apart[k] / space.lengths[k]);
+      const double d = apart.norm(), d_0 = cloud.radius[i] + cloud.radius[j], x = (d - d_0) / (0.25 - d_0);
+      if (x >= 1.0) continue;
+      const double strength = 9.0 * cloud.mass[i] * cloud.mass[j], at = std::max(x, 0.0);
+      energy -= strength * (0.25 - d_0) *
+                (8.0 / 15.0 - 16.0 * (std::pow(at, 3) / 3.0 - std::pow(at, 4) / 2.0 + std::pow(at, 5) / 5.0));
+      const Eigen::Vector3d pull = strength * 16.0 * std::pow(at * (1.0 - at), 2) / d * apart;
+      expected.row(i) += pull;
+      expected.row(j) -= pull;
+      ++bonds;
+    }
+  }
+  BOOST_TEST(bonds > 100);
+  Eigen::VectorXd force(360);
+  BOOST_TEST(scene.total_force(state, force));
+  BOOST_TEST(close(force, Eigen::VectorXd(expected.reshaped()), {.relative = 1e-12, .absolute = 1e-12}));
+  BOOST_TEST(scene.potential_energy(state) == energy, tolerance(1e-12));
+}
+
+// What coincides has no direction and needs none; what is immovable pulls and stays; what is not finite has no force.
+BOOST_AUTO_TEST_CASE(has_a_value_where_bodies_coincide_and_none_where_one_is_nowhere) {
+  const auto three =
+      kinematics::particles({{.position = {0.0, 0.0, 0.0}, .mass = 1.0, .radius = 0.0},
+                             {.position = {0.0, 0.0, 0.0}, .mass = 1.0, .radius = 0.0},
+                             {.position = {0.5, 0.0, 0.0}, .mass = 2.0, .radius = 0.0, .immovable = true}});
+  const scenes::Scene scene(three, Space{}, Binding{.F_b = 1.0, .d_b = 1.0});
+  schemes::State state = scenes::start(scene);
+  Eigen::VectorXd a(9);
+  BOOST_TEST(scene.acceleration(0.0, state.r, a));
+  BOOST_TEST(close(a.head(3), Eigen::Vector3d(2.0, 2.0, 0.0), {.relative = 1e-15}));
+  BOOST_TEST(scene.potential_energy(state) == -8.0 / 15.0 - 4.0 * 4.0 / 15.0, tolerance(1e-15));
+  state.r[0] = NAN;
+  BOOST_TEST(!scene.acceleration(0.0, state.r, a));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

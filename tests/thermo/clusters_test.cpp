@@ -1,5 +1,7 @@
 #include <particulate/thermo/clusters.hpp>
 
+#include <cmath>
+
 #include "close.hpp"
 #include "clouds.hpp"
 #include "says.hpp"
@@ -50,6 +52,41 @@ BOOST_AUTO_TEST_CASE(agrees_with_a_flood) {
     }
     BOOST_TEST((clusters > 5 && clusters < 250));
     BOOST_TEST((found.of == of));
+  }
+}
+
+// 100 x 1000 bodies at 1 m in rows 2 m apart: as many clusters as rows, each a chain.
+BOOST_AUTO_TEST_CASE(finds_a_hundred_thousand_bodies_in_rows) {
+  kinematics::Vectors r = kinematics::Vectors::Zero(100000, 3);
+  for (Eigen::Index i = 0; i < r.rows(); ++i) {
+    r(i, 0) = static_cast<double>(i % 1000);
+    r(i, 1) = 2.0 * static_cast<double>(i / 1000);
+  }
+  const Clusters found = find_clusters({}, r, 1.5);
+  BOOST_TEST((found.sizes == std::vector<Eigen::Index>(100, 1000)));
+  BOOST_TEST(found.links == 100 * 999);
+  BOOST_TEST(found.of.back() == 99);
+}
+
+// A hundred bodies of which three coincide: as near as nothing, and in units in which squares overflow.
+BOOST_AUTO_TEST_CASE(links_what_coincides_and_what_is_huge) {
+  kinematics::Vectors r = random_cloud(100, {1.0, 1.0, 1.0}, 0.1, 0.1).position;
+  r.row(60) = r.row(80) = r.row(3);
+  const Clusters coincident = find_clusters({}, r, 0.0);
+  BOOST_TEST(coincident.links == 3);
+  BOOST_TEST(coincident.largest() == 3);
+  BOOST_TEST((coincident.of[3] == coincident.of[60] && coincident.of[3] == coincident.of[80]));
+  const Clusters near = find_clusters({}, r, 0.125), far = find_clusters({}, r * 0x1p600, std::ldexp(0.125, 600));
+  BOOST_TEST(near.links > 20);
+  BOOST_TEST((near.of == far.of));
+  BOOST_TEST(find_clusters({}, r, 1e300).links == 100 * 99 / 2);
+}
+
+BOOST_AUTO_TEST_CASE(refuses_places_that_are_none) {
+  for (const Eigen::Index N : {3, 100}) {
+    kinematics::Vectors r = random_cloud(N, {1.0, 1.0, 1.0}, 0.1, 0.1).position;
+    r(1, 2) = NAN;
+    CHECK_REFUSED(find_clusters({}, r, 0.1), "every position must be finite");
   }
 }
 

@@ -71,8 +71,20 @@ BOOST_AUTO_TEST_CASE(is_the_time_of_warming_too) {
   BOOST_TEST(temperature_after({.emissivity = 1.0}, 200.0, t) == 290.0, tolerance(1e-8));
 }
 
+// The differences of F lose all digits there: 3.915085382390184 s for 2.7 K, by quadrature to 30 digits.
+BOOST_AUTO_TEST_CASE(keeps_its_digits_among_surroundings_near_0_K) {
+  BOOST_TEST(radiation_time(k, 1e4, 1000.0, 2.7) == 3.91508538239018431, tolerance(1e-14));
+  BOOST_TEST(radiation_time(k, 200.0, 290.0, 300.0) == 307.967948145498, tolerance(1e-13));
+  const double dark = radiation_time(k, 1e4, 1000.0, 0.0);
+  for (const double theta_s : {1e-3, 1e-120, 5e-324}) {
+    BOOST_TEST(radiation_time(k, 1e4, 1000.0, theta_s) == dark, tolerance(1e-14));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(refuses_what_is_not_reached) {
   CHECK_REFUSED(radiation_time(k, 1000.0, 300.0, 300.0), "must lie between");
+  CHECK_REFUSED(radiation_time(k, 1000.0, NAN, 300.0), "got nan K");
+  CHECK_REFUSED(radiation_time(0.0, 1000.0, 500.0, 300.0), "k must be positive, got 0 1/(s K^3)");
   CHECK_REFUSED(radiation_time(k, 1000.0, 1001.0, 300.0), "got 1001 K");
 }
 

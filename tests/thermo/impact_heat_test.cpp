@@ -1,7 +1,10 @@
 #include <particulate/thermo/impact_heat.hpp>
 
 #include <numbers>
+#include <vector>
 
+#include <particulate/contact/located_contact.hpp>
+#include <particulate/laws/gravity.hpp>
 #include <particulate/scenes/scene.hpp>
 #include <particulate/schemes/fixed_step.hpp>
 #include <particulate/schemes/integrate.hpp>
@@ -64,6 +67,71 @@ BOOST_AUTO_TEST_CASE(counts_the_work_of_other_forces_where_an_impact_lasts) {
   schemes::State state = scenes::start(scene);
   BOOST_TEST(scene.jump(state, 1.0).impacts == 1);
   BOOST_TEST(q == 1.18125, tolerance(1e-15));
+}
+
+// Random impacts, oblique and with friction, on which random forces act meanwhile. The contact pushes evenly over each
+// phase, by m* (u + Delta_1) and e times that, and rubs evenly over both: its power, by the midpoint of a thousand
+// steps. Heat is negative only where the forces turn the slip around.
+struct PullsEach {
+  Eigen::Vector3d acceleration_i, acceleration_j;
+};
+template <kinematics::Domain D>
+bool add_force(const PullsEach& law, const D&, const laws::At<>& at, laws::Forces force) {
+  force.row(0) += at.mass[0] * law.acceleration_i.transpose();
+  force.row(1) += at.mass[1] * law.acceleration_j.transpose();
+  return true;
+}
+double heat_in_small_steps(const contact::ImpactRecord& impact, double e, double reduced_mass, double duration) {
+  constexpr int steps = 1000;
+  const Eigen::Vector3d acceleration = impact.meanwhile / duration;
+  Eigen::Vector3d v = impact.before;
+  double heat = 0.0;
+  for (const double phase : {1.0, e}) {
+    const double dt = duration * phase / (1.0 + e) / steps;
+    const Eigen::Vector3d force = (impact.tangential - impact.push * impact.n) / duration;
+    for (int k = 0; k < steps; ++k) {
+      const Eigen::Vector3d next = v + dt * (force / reduced_mass + acceleration);
+      heat -= dt * force.dot(0.5 * (v + next));
+      v = next;
+    }
+  }
+  return heat;
+}
+BOOST_AUTO_TEST_CASE(is_the_work_of_random_impacts_done_in_small_steps) {
+  Uniform uniform(3);
+  const auto vector = [&] {
+    return Eigen::Vector3d(2.0 * uniform() - 1.0, 2.0 * uniform() - 1.0, 2.0 * uniform() - 1.0);
+  };
+  int impacts = 0, negative = 0;
+  for (int trial = 0; trial < 400; ++trial) {
+    const Eigen::Vector3d n = vector().normalized();
+    const auto pair = kinematics::particles(
+        {{.position = {0.0, 0.0, 0.0}, .velocity = vector(), .mass = 0.1 + uniform(), .radius = 0.5},
+         {.position = n, .velocity = vector(), .mass = 1.0 + uniform(), .radius = 0.5}});
+    const double e = uniform(), duration = 0.01 + uniform(), mu = uniform();
+    std::vector<contact::ImpactRecord> records;
+    const scenes::Scene scene(pair, Space{},
+                              Contact<ConstantRestitution, Friction>{
+                                  .restitution = {e},
+                                  .friction = {.mu_s = mu, .mu_d = mu * uniform()},
+                                  .gamma = 0.5,
+                                  .recorder = [&](const contact::ImpactRecord& one) { records.push_back(one); }},
+                              PullsEach{vector(), vector()});
+    schemes::State state = scenes::start(scene);
+    BOOST_TEST(scene.jump(state, 2.0 * duration).unsettled == "");
+    if (records.empty()) continue;
+    const contact::ImpactRecord& one = records.front();
+    const double q = thermo::dissipated_energy(one), reduced = 1.0 / (1.0 / pair.mass[0] + 1.0 / pair.mass[1]);
+    const double scale = 0.5 * reduced * one.before.squaredNorm();
+    BOOST_TEST(excess(q, heat_in_small_steps(one, e, reduced, duration), {.absolute = 1e-12 * scale}) <= 0.0);
+    const Eigen::Vector3d slip = one.before - one.n * one.n.dot(one.before);
+    const bool turns = slip.dot(slip + one.meanwhile - one.n * one.n.dot(one.meanwhile)) < 0.0;
+    BOOST_TEST((turns || q >= 0.0));
+    negative += q < 0.0;
+    ++impacts;
+  }
+  BOOST_TEST(impacts > 100);
+  BOOST_TEST(negative < impacts / 50);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
@@ -133,6 +201,52 @@ BOOST_AUTO_TEST_CASE(closes_the_books_of_a_cloud) {
     BOOST_TEST(out.released > 0.0);
     BOOST_TEST(out.heat == out.released - out.energy_change, tolerance(1e-12));
     BOOST_TEST(thermal == out.heat, tolerance(1e-12));
+  }
+}
+
+// Located contact: no overlap, and the same heat a pair as by its reduced mass, 1/2 (3/4) (1 - 1/4) 4 J.
+BOOST_AUTO_TEST_CASE(is_the_same_where_impacts_are_located) {
+  kinematics::Particles apart = two(false);
+  apart.position(1, 0) = 1.75;
+  const scenes::Scene scene(apart, Space{}, contact::LocatedContact<>{.restitution = {0.5}}, ImpactHeat{});
+  schemes::State state = scenes::start(scene);
+  const schemes::Outcome out =
+      integrate(scene, state, 1.0, schemes::VelocityVerlet{}, schemes::FixedStep{.step = 0.25});
+  BOOST_TEST(out.impacts == 1);
+  BOOST_TEST(out.heat == 1.125, tolerance(1e-12));
+  BOOST_TEST(state.y[0] == 300.0 + 0.5625 / 4.0, tolerance(1e-13));
+}
+
+// A ball that falls by 1 m, hops and comes to rest: all that it fell has become heat, but for a part of a step. What
+// rests is warmed no further.
+BOOST_AUTO_TEST_CASE(is_the_whole_fall_of_a_ball_that_comes_to_rest) {
+  const auto ball = kinematics::particles(
+      {{.position = {0.0, 0.0, 1.5}, .mass = 2.0, .radius = 0.5, .temperature = 300.0, .heat_capacity = 3.0}});
+  const auto heat = [&](double t, double dt) {
+    const scenes::Scene scene(ball, Space{.walls = {{}}}, laws::Gravity{{0.0, 0.0, -10.0}},
+                              Contact<ConstantRestitution>{.restitution = {0.5}}, ImpactHeat{});
+    schemes::State state = scenes::start(scene);
+    const schemes::Outcome out = integrate(scene, state, t, schemes::VelocityVerlet{}, schemes::FixedStep{.step = dt});
+    BOOST_TEST(2.0 * 3.0 * (state.y[0] - 300.0) == out.heat, tolerance(1e-11));
+    return out.heat;
+  };
+  BOOST_TEST(heat(4.0, 1e-3) == 20.0, tolerance(1e-2));
+  BOOST_TEST(heat(4.0, 1e-4) == 20.0, tolerance(1e-3));
+  BOOST_TEST(heat(8.0, 1e-3) == heat(4.0, 1e-3), tolerance(1e-12));
+}
+
+// What lies on the ground is pressed by 20 N, at 2 J/m^2 and 4 N s: 20/4 2 pi/4 W, whatever the step.
+BOOST_AUTO_TEST_CASE(goes_on_where_a_force_holds_two_together) {
+  const auto ball = kinematics::particles(
+      {{.position = {0.0, 0.0, 0.5}, .mass = 2.0, .radius = 0.5, .temperature = 300.0, .heat_capacity = 3.0}});
+  for (const double dt : {1e-2, 1e-3}) {
+    const scenes::Scene scene(ball, Space{.walls = {{}}}, laws::Gravity{{0.0, 0.0, -10.0}},
+                              Contact<ConstantRestitution>{.restitution = {0.5}},
+                              ImpactHeat{.kappa = 2.0, .J_star = 4.0});
+    schemes::State state = scenes::start(scene);
+    const schemes::Outcome out =
+        integrate(scene, state, 2.0, schemes::VelocityVerlet{}, schemes::FixedStep{.step = dt});
+    BOOST_TEST(out.released == 2.0 * 2.5 * std::numbers::pi, tolerance(dt));
   }
 }
 

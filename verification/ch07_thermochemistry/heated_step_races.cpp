@@ -77,7 +77,7 @@ const Case heated_step{
      .reference = Reference::independent_method},
     [](Rows& rows) {
       const kinematics::Particles start = spheres();
-      const int steps = rows.quick() ? 5 : 20;
+      const int steps = rows.quick() ? 3 : 20;
       Taken cold, by_impacts, flowing_cold, flowing;
       for (int k = 0; k < (rows.quick() ? 3 : 7); ++k) {
         step(start, steps, schemes::VelocityVerlet{}, cold, near_field, binding, meeting);

@@ -129,7 +129,7 @@ struct ClosedGap {
 
 namespace detail {
 
-// Of two bodies; a point and a wall have none.
+// Of two bodies; a point and a wall have none, and a point in a wall has no depth over it.
 inline double smaller_diameter(const Eigen::VectorXd& radius, Eigen::Index i, Eigen::Index j) {
   const double b_i = radius[i], b_j = j < 0 ? 0.0 : radius[j];
   return 2.0 * (b_i > 0.0 && b_j > 0.0 ? std::min(b_i, b_j) : std::max(b_i, b_j));
@@ -143,7 +143,8 @@ Touching find_touching(const D& domain, const laws::At<laws::Velocity>& at, cons
   const auto add = [&](Eigen::Index i, Eigen::Index j, double depth, const Eigen::Vector3d& n) {
     found.directed = found.directed && n.allFinite();
     found.overlap = std::max(found.overlap, depth);
-    if (depth > 0.0) found.penetration = std::max(found.penetration, depth / smaller_diameter(at.radius, i, j));
+    const double diameter = smaller_diameter(at.radius, i, j);
+    if (depth > 0.0 && diameter > 0.0) found.penetration = std::max(found.penetration, depth / diameter);
     found.contacts.push_back({.i = i, .j = j, .n = n, .overlap = depth});
   };
   const bool exact = tolerance.is_none();

@@ -56,12 +56,20 @@ double closest(const kinematics::Space& domain, schemes::In r) {
   return nearest;
 }
 
+std::string why_no_temperature(schemes::In y) {
+  for (Eigen::Index i = 0; i < y.size(); ++i) {
+    if (y[i] >= 0.0) continue;
+    return fmt::format("particle {} has a temperature of {} K, which must not be negative: take a smaller step", i,
+                       y[i]);
+  }
+  return {};
+}
+
 void require_temperatures(const kinematics::Particles& particles) {
   if (particles.temperature.size() == particles.size()) return;
   throw std::invalid_argument(
       "scene: its laws exchange heat, so that every particle must have a temperature and a heat capacity, but they "
-      "have "
-      "none: give Particles::temperature and heat_capacity");
+      "have none: give Particles::temperature and heat_capacity");
 }
 
 void require_temperatures(Eigen::Index given, Eigen::Index N) {

@@ -75,6 +75,9 @@ double closest(const D& domain, schemes::In r) {
 // The same by search.
 double closest(const kinematics::Space& domain, schemes::In r);
 
+// Which temperature is negative or no number; empty: none.
+std::string why_no_temperature(schemes::In y);
+
 // Refuses particles without temperatures, or another number of them.
 void require_temperatures(const kinematics::Particles& particles);
 void require_temperatures(Eigen::Index given, Eigen::Index N);
@@ -328,10 +331,12 @@ class Scene {
   /// Why a law has no force somewhere. @see schemes::SaysWhy
   ///
   /// @param state  a state of this scene
-  /// @return which particles are the reason and what to do; empty where every law that can tell has a force
+  /// @return which particles are the reason and what to do: by their temperatures, else by the first law that can tell;
+  ///         empty where none is
   std::string why_no_value(const schemes::State& state) const {
     const laws::At<> at = places(state.t, state.r);
     std::string why;
+    if constexpr (is_coupled) why = detail::why_no_temperature(state.y);
     const auto ask = [&](const auto& law) {
       if (why.empty()) why = detail::why_of(law, domain_, at);
     };

@@ -78,6 +78,9 @@ struct Motion {
 /// @tparam HeatScheme    advances values of first order
 template <class S, schemes::Scheme MotionScheme, schemes::Scheme HeatScheme>
 struct StaggeredScene {
+  static_assert(S::has_heat_flow,
+                "a staggered scene needs a law that heats or cools: without one its temperatures have no rate");
+
   const S& scene;              ///< the scene
   MotionScheme motion_scheme;  ///< for field 0
   HeatScheme heat_scheme;      ///< for field 1
@@ -131,13 +134,14 @@ struct StaggeredScene {
  private:
   template <class Field, class Scheme>
   static bool steps(Field& field, Scheme& scheme, double dt, schemes::State& own) {
-    const schemes::Outcome made =
-        schemes::integrate(field, own, own.t + dt, scheme, schemes::FixedStep{.step = own.t + dt - own.t});
+    const double end = own.t + dt;
+    own.t_carry = (end - own.t) - dt;  // the step is dt to the last bit, however late it is
+    const schemes::Outcome made = schemes::integrate(field, own, end, scheme, schemes::FixedStep{.step = dt});
     return made.status == schemes::Status::reached;
   }
 };
 
-/// @param scene          the scene
+/// @param scene          the scene; it must outlive both
 /// @param motion_scheme  for its motion
 /// @param heat_scheme    for its temperatures
 /// @return both fields, to be advanced by schemes::Staggered
@@ -146,5 +150,8 @@ StaggeredScene<S, MotionScheme, HeatScheme> staggered(const S& scene, MotionSche
                                                       HeatScheme heat_scheme) {
   return {scene, std::move(motion_scheme), std::move(heat_scheme)};
 }
+/// A scene that ends with its line has no fields that outlive it.
+template <class S, class MotionScheme, class HeatScheme>
+void staggered(const S&&, MotionScheme, HeatScheme) = delete;
 
 }  // namespace particulate::scenes

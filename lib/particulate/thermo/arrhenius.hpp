@@ -43,12 +43,12 @@ bool add_heat(const Arrhenius& law, const D&, const laws::At<laws::Temperature>&
 /// @equation{D 7.4.2}
 /// @param law     constants that validate() accepts
 /// @param at      the particles
-/// @param slopes  receives N entries; at 0 K none is left [W/K]
+/// @param slopes  receives N entries; near 0 K none is left [W/K]
 template <kinematics::Domain D>
 void add_heat_slopes(const Arrhenius& law, const D&, const laws::At<laws::Temperature>& at, laws::HeatSlopes& slopes) {
   for (Eigen::Index i = 0; i < at.mass.size(); ++i) {
-    const double theta = at.temperature[i], u = theta > 0.0 ? law.T_a / theta : 0.0;
-    slopes.emplace_back(i, i, theta > 0.0 ? at.mass[i] * law.power * std::exp(-u) * u / theta : 0.0);
+    const double theta = at.temperature[i], share = std::exp(-law.T_a / theta);
+    slopes.emplace_back(i, i, share > 0.0 ? at.mass[i] * law.power * share * law.T_a / theta / theta : 0.0);
   }
 }
 

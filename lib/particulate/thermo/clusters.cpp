@@ -47,6 +47,11 @@ Clusters find_clusters(const kinematics::Space& domain, const kinematics::Vector
     throw std::invalid_argument(
         fmt::format("clusters: the link length must be finite and not negative, got {} m", link));
   }
+  if (!position.allFinite()) {
+    throw std::invalid_argument(
+        "clusters: every position must be finite, got one that is not: look for the step that "
+        "made it so");
+  }
   const Eigen::Index N = position.rows();
   laws::Neighbours neighbours;
   const laws::Candidates near = neighbours.candidates(domain, position, Eigen::VectorXd::Constant(N, 0.5 * link));

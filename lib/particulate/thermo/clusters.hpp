@@ -23,10 +23,10 @@ struct Clusters {
 ///
 /// @equation{R 7.2} Pairs by a neighbour search, components by union-find: a cost that grows with N.
 /// @param domain    forms the separations
-/// @param position  r_i, N x 3 [m]
+/// @param position  r_i, N x 3, finite [m]
 /// @param link      link length, >= 0 and finite [m]
 /// @return which bodies hang together
-/// @throws std::invalid_argument for a length that cannot be meant
+/// @throws std::invalid_argument for a length that cannot be meant, and for a position that is not finite
 Clusters find_clusters(const kinematics::Space& domain, const kinematics::VectorsIn& position, double link);
 
 }  // namespace particulate::thermo

@@ -47,20 +47,33 @@ double convected_temperature(double theta_0, double theta_o, double tau, double 
   return theta_o + (theta_0 - theta_o) * std::exp(-t / tau);
 }
 
+namespace {
+
+// The time 1/k of radiation from infinitely hot down to x, but for a constant where x is below theta_s. As a series of
+// theta_s/x where that is small: of the terms of F only a difference of the third order is left there.
+double radiated_down_to(double x, double theta_s) {
+  const double ratio = theta_s / x;
+  if (ratio <= 0.5) {
+    double sum = 0.0, power = 1.0;
+    for (int n = 3; n < 60; n += 4, power *= ratio * ratio * ratio * ratio) sum += power / n;
+    return sum / (x * x * x);
+  }
+  const double angle = x > theta_s ? -std::atan(ratio) : std::atan(x / theta_s);
+  return (std::log(std::abs((x + theta_s) / (x - theta_s))) + 2.0 * angle) / (4.0 * theta_s * theta_s * theta_s);
+}
+
+}  // namespace
+
 double radiation_time(double k, double theta_0, double theta, double theta_s) {
   const bool between = theta_s <= theta_0 ? theta > theta_s && theta <= theta_0 : theta < theta_s && theta >= theta_0;
+  if (!(k > 0.0)) throw std::invalid_argument(fmt::format("radiation: k must be positive, got {} 1/(s K^3)", k));
   if (!(between && theta > 0.0 && theta_s >= 0.0)) {
     throw std::invalid_argument(
         fmt::format("radiation: the temperature reached must lie between that at the start, {} K, and that of the "
                     "surroundings, {} K, without it, got {} K",
                     theta_0, theta_s, theta));
   }
-  const auto inverse_cube = [](double x) { return 1.0 / (x * x * x); };
-  if (theta_s == 0.0) return (inverse_cube(theta) - inverse_cube(theta_0)) / (3.0 * k);
-  const auto F = [&](double x) {
-    return std::log(std::abs((x - theta_s) / (x + theta_s))) - 2.0 * std::atan(x / theta_s);
-  };
-  return (F(theta_0) - F(theta)) / (4.0 * k * theta_s * theta_s * theta_s);
+  return (radiated_down_to(theta, theta_s) - radiated_down_to(theta_0, theta_s)) / k;
 }
 
 }  // namespace particulate::thermo

@@ -81,7 +81,7 @@ double convected_temperature(double theta_0, double theta_o, double tau, double 
 /// @param theta    at the end, between theta_0 and theta_s, > 0 [K]
 /// @param theta_s  of what it radiates to, >= 0 [K]
 /// @return t [s]
-/// @throws std::invalid_argument for a temperature that radiation does not reach
+/// @throws std::invalid_argument for a temperature that radiation does not reach, and for a k that is not positive
 double radiation_time(double k, double theta_0, double theta, double theta_s);
 
 /// Adds the heat flows into all particles.
