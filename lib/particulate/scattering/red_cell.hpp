@@ -8,7 +8,7 @@ namespace particulate::scattering {
 ///
 /// \f[ z = \pm\frac{R_0}{2} \sqrt{1 - x^2}\, (C_0 + C_1 x^2 + C_2 x^4), \qquad x = \rho/R_0 \f]
 ///
-/// @equation{M B.2} z is half of the thickness at the distance rho from the axis. With R_0 = 3.91 um a human cell of
+/// @equation{R B.2} z is half of the thickness at the distance rho from the axis. With R_0 = 3.91 um a human cell of
 /// 94.09 um^3 and 134.09 um^2, thickest, 2.566 um, at rho = 2.738 um, and 0.81 um thin in the middle. Larger and
 /// smaller ones are of the same shape.
 struct RedCell {
@@ -29,7 +29,7 @@ void validate(const RedCell& body);
 
 /// Half of the thickness.
 ///
-/// @equation{M B.2}
+/// @equation{R B.2}
 /// @param body  a cell
 /// @param rho   distance from the axis, 0 to R_0 [m]
 /// @return z [m]

@@ -79,7 +79,7 @@ double least_radius(const Cloud<B>& cloud) {
 /// Traces rays in steps, as the monograph does: a ray moves on by \f$ s = \xi\, b \f$, and where it then lies inside of
 /// a body and goes deeper, \f$ d \cdot n < 0 \f$, it is reflected there as at the surface.
 ///
-/// @equation{M 9.3} With the ledger of trace(), to which its I_x converges with order 1: for a lone sphere
+/// @equation{R 9.3} With the ledger of trace(), to which its I_x converges with order 1: for a lone sphere
 /// \f$ I_x(\xi) = I_x(0) + \xi S \f$ with stepping_slope(), where rays start at a random phase.
 /// @param cloud     bodies in a box
 /// @param law       constants that validate() accepts

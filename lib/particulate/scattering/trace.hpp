@@ -300,7 +300,7 @@ Traced trace_each(const Cloud<B>& cloud, const Law& law, const Rays& rays, const
 /// At a body a ray keeps R I of its power I, the body absorbs (1 - R) I, and the direction is that of a mirror. Each
 /// ray is followed from event to event, without steps.
 ///
-/// @equation{M 9.3} The monograph's quantity is Ledger::x over Ledger::incident.
+/// @equation{R 9.3} The monograph's quantity is Ledger::x over Ledger::incident.
 /// @tparam B    a Body
 /// @tparam Law  with reflectance(law, cos_incidence)
 /// @param cloud     bodies in a box
