@@ -62,7 +62,8 @@ Rays rays_of(const Beam& beam, Eigen::Index n, const std::function<double()>& un
             .power = Eigen::VectorXd::Constant(
                 n, beam.irradiance * area(beam) / static_cast<double>(std::max<Eigen::Index>(n, 1)))};
   for (Eigen::Index i = 0; i < n; ++i) {
-    Eigen::Vector2d at(static_cast<double>(i % edge), static_cast<double>(i / edge));
+    const Eigen::Index line = i / edge;
+    Eigen::Vector2d at(static_cast<double>(i % edge), static_cast<double>(line));
     const bool middle = beam.points == Beam::Points::regular;
     for (double& coordinate : at) {
       const double within = middle ? 0.5 : uniform();

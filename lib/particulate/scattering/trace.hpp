@@ -69,7 +69,7 @@ struct TraceSettings {
 
 /// What tracing gives.
 struct Traced {
-  Ledger ledger;
+  Ledger ledger;                      ///< what became of the power
   Eigen::VectorXd absorbed = {};      ///< by each body [W]
   Rays rays = {};                     ///< at the end: at the face that each left through, or where it was stopped
   std::vector<PathPoint> paths = {};  ///< by ray, from its start to its end; if they were asked for
