@@ -1,0 +1,129 @@
+// Red cells: every first hit against interval bisection.
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include <fmt/format.h>
+#include <Eigen/Geometry>
+
+#include <harness/case.hpp>
+#include <harness/uniform.hpp>
+#include <particulate/scattering/placement.hpp>
+#include <particulate/scattering/red_cell.hpp>
+
+namespace verification::red_cells {
+
+using namespace particulate::scattering;
+using Eigen::Vector3d;
+
+// Numbers between two bounds, rounded outwards by more than the operations round.
+struct Interval {
+  double low, high;
+};
+Interval widened(double low, double high) {
+  const double by = 4e-16 * std::max(std::abs(low), std::abs(high));
+  return {low - by, high + by};
+}
+Interval operator+(Interval a, Interval b) { return widened(a.low + b.low, a.high + b.high); }
+Interval operator-(Interval a, Interval b) { return widened(a.low - b.high, a.high - b.low); }
+Interval operator*(Interval a, Interval b) {
+  const auto [low, high] = std::minmax({a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high});
+  return widened(low, high);
+}
+Interval squared(Interval a) {
+  const double low = a.low * a.low, high = a.high * a.high;
+  const bool holds_zero = a.low <= 0.0 && a.high >= 0.0;
+  return widened(holds_zero ? 0.0 : std::min(low, high), std::max(low, high));
+}
+Interval exactly(double x) { return {x, x}; }
+
+// A ray about a cell of radius 1 whose axis is z.
+struct Line {
+  Vector3d from, direction;
+};
+// P of the part of a line between two distances.
+Interval shape(const Line& line, Interval t) {
+  const auto coordinate = [&](int k) { return exactly(line.from[k]) + t * exactly(line.direction[k]); };
+  const Interval u = squared(coordinate(0)) + squared(coordinate(1)), zeta = exactly(2.0) * coordinate(2);
+  const Interval f = exactly(RedCell::C0) + u * (exactly(RedCell::C1) + u * exactly(RedCell::C2));
+  return (exactly(1.0) - u) * squared(f) - squared(zeta);
+}
+bool beyond_rim(const Line& line, Interval t) {
+  const auto coordinate = [&](int k) { return exactly(line.from[k]) + t * exactly(line.direction[k]); };
+  return (squared(coordinate(0)) + squared(coordinate(1))).low > 1.0;
+}
+
+// The first place at which the cell may be entered: parts of the line that are certainly outside are left out, until
+// what is left is shorter than 1e-12. Negative: the line misses the cell for certain. `certain` says whether it is
+// entered there for certain, or only touched to 1e-12 or missed by less.
+double bisected(const Line& line, Interval t, bool& certain) {
+  if (beyond_rim(line, t) || shape(line, t).high < 0.0) return -1.0;
+  if (t.high - t.low < 1e-12) {
+    certain = shape(line, exactly(t.high + 1e-9)).low > 0.0;
+    return t.low;
+  }
+  const double middle = 0.5 * (t.low + t.high);
+  const double first = bisected(line, {t.low, middle}, certain);
+  return first >= 0.0 ? first : bisected(line, {middle, t.high}, certain);
+}
+
+// What differs between the library and bisection, of many lines.
+struct Found {
+  long missed = 0, invented = 0, hits = 0, doubtful = 0;
+  double farthest = 0.0;  // between the two [radii]
+};
+void compare(const RedCell& cell, const Eigen::Matrix3d& turned, const Line& line, Found& found) {
+  bool certain = false;
+  const double expected = bisected(line, {0.0, 5.0}, certain);
+  const double t = first_entry(cell, turned * line.from, turned * line.direction);
+  if (expected < 0.0) {
+    found.invented += t < nowhere ? 1 : 0;
+  } else if (!certain) {
+    ++found.doubtful;
+  } else {
+    ++found.hits;
+    found.missed += t < nowhere ? 0 : 1;
+    if (t < nowhere) found.farthest = std::max(found.farthest, std::abs(t - expected));
+  }
+}
+
+const Case first_hits{
+    {.name = "red_cell_first_hits",
+     .claim = "no ray misses a red cell that it meets, and none meets one that it misses: against interval bisection",
+     .equation = "R B.2",
+     .reference = Reference::independent_method},
+    [](Rows& rows) {
+      Uniform uniform(21);
+      const auto draw = [&] { return uniform(); };
+      const Vector3d axis = random_direction(draw);
+      const RedCell cell{.axis = axis, .radius = 1.0};
+      const Eigen::Matrix3d turned = Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), axis).toRotationMatrix();
+      const long rays = rows.quick() ? 20000 : 1000000;
+      Found any, tangent;
+      for (long k = 0; k < rays; ++k) {
+        const Vector3d d = random_direction(draw), aside = 1.05 * std::sqrt(uniform()) * random_direction(draw);
+        compare(cell, turned, {aside - aside.dot(d) * d - 2.0 * d, d}, any);
+      }
+      // Through places within 1e-9 above a place of the surface, along it.
+      for (long k = 0; k < rays / 10; ++k) {
+        const double rho = std::sqrt(uniform()), phi = 2.0 * std::numbers::pi * uniform();
+        const RedCell upright{.radius = 1.0};
+        const Vector3d on(rho * std::cos(phi), rho * std::sin(phi), half_thickness(upright, rho));
+        const Vector3d normal = outward_normal(upright, on), d = normal.cross(random_direction(draw)).normalized();
+        compare(cell, turned, {on + (2.0 * uniform() - 1.0) * 1e-9 * normal - 2.0 * d, d}, tangent);
+      }
+      for (const auto& [what, found] : {std::pair{"any rays", any}, {"rays within 1e-9 of a tangent", tangent}}) {
+        rows.none(fmt::format("{}: missed", what), found.missed, "roots are bracketed, none is stepped over");
+        rows.none(fmt::format("{}: met where nothing is", what), found.invented, "likewise");
+        rows.at_least(fmt::format("{}: that meet the cell for certain", what),
+                      {.limit = 0.2 * static_cast<double>(found.hits + found.doubtful + 1),
+                       .computed = static_cast<double>(found.hits),
+                       .because = "else the others say little"});
+      }
+      rows.at_most("any rays: farthest from the bisected place [radii]",
+                   {.limit = 2e-9, .computed = any.farthest, .because = "1e-12 over the cosine at near tangents"});
+    }};
+
+}  // namespace verification::red_cells
