@@ -52,6 +52,19 @@ class Grid {
     }
   }
 
+  /// Calls visit(i, j), i < j, for the bodies that one cell names, once for each such cell: bodies that overlap are
+  /// among them.
+  ///
+  /// @param visit  is called with two numbers
+  template <class Visit>
+  void each_pair(Visit&& visit) const {
+    for (std::size_t cell = 0; cell + 1 < first_.size(); ++cell) {
+      for (std::uint32_t a = first_[cell]; a < first_[cell + 1]; ++a) {
+        for (std::uint32_t b = a + 1; b < first_[cell + 1]; ++b) visit(body_[a], body_[b]);
+      }
+    }
+  }
+
   /// @param place  in the box [m]
   /// @return numbers of the bodies that may contain it; empty outside of the box
   std::span<const std::int32_t> near(const Eigen::Vector3d& place) const;
