@@ -28,6 +28,7 @@ class Grid {
   /// @param box      which contains all bodies
   /// @param bounds   of the bodies, in their order
   /// @param threads  that build it, >= 1; the same grid for any number
+  /// @throws std::invalid_argument for a box that is none
   Grid(const kinematics::Box& box, std::span<const Bound> bounds, int threads = 1);
 
   /// Walks along a ray, cell by cell: visit(bodies, end) gets the numbers of the bodies of each cell and the distance

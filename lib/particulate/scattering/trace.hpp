@@ -140,7 +140,8 @@ class Cloud {
   /// @param bodies   which may touch, and do not overlap
   /// @param box      which contains them
   /// @param threads  that sort them, >= 1
-  /// @throws std::invalid_argument naming the body that is none or lies outside of the box, and two that overlap
+  /// @throws std::invalid_argument naming the body that is none or lies outside of the box, and two that overlap;
+  ///         for a box that is none
   Cloud(std::vector<B> bodies, kinematics::Box box, int threads = 1)
       : bodies_(std::move(bodies)), box_(std::move(box)), grid_(box_, bounds(), threads) {
     grid_.each_pair([this](std::int32_t i, std::int32_t j) {
