@@ -152,4 +152,44 @@ const Case dilute{
       rows.write("beer_lambert", table);
     }};
 
+// The same rays in the same clouds, exactly and in steps: their differences know less noise than either.
+const Case in_steps{
+    {.name = "stepped_in_clouds",
+     .claim = "in clouds the stepped tracer converges to the exact one too: half of the step, half of the difference",
+     .equation = "R 9.3",
+     .reference = Reference::independent_method},
+    [](Rows& rows) {
+      report::Table table({"xi", "I_x less that of exact tracing", "standard error"});
+      const std::vector<double> steps{0.4, 0.2, 0.1, 0.05, 0.025};
+      std::vector<std::vector<double>> off(steps.size());
+      for (int k = 0; k < (rows.quick() ? 10 : 60); ++k) {
+        Uniform uniform(static_cast<std::uint64_t>(9000 + k));
+        const auto draw = [&] { return uniform(); };
+        const Cloud<Sphere> cloud = cloud_of(1000, 0.325, uniform);
+        const Rays rays = rays_of(beam, 2000, draw);
+        const double exact = trace(cloud, Fresnel{10.0}, rays).ledger.x;
+        for (std::size_t i = 0; i < steps.size(); ++i) {
+          const Ledger ledger = trace_in_steps(cloud, Fresnel{10.0}, rays, {.xi = steps[i], .phase = draw}).ledger;
+          off[i].push_back((ledger.x - exact) / ledger.incident);
+        }
+      }
+      for (std::size_t i = 0; i < steps.size(); ++i) {
+        const Mean mean = mean_of(off[i]);
+        table.add({steps[i], mean.value, mean.error});
+      }
+      std::vector<double> limit;
+      for (std::size_t k = 0; k < off[0].size(); ++k) limit.push_back(2.0 * off[4][k] - off[3][k]);
+      const Mean largest = mean_of(off[0]), extrapolated = mean_of(limit);
+      rows.compare("difference of I_x, extrapolated from xi = 0.05 and 0.025",
+                   {.expected = 0.0,
+                    .computed = extrapolated.value,
+                    .tolerance = absolute(4.0 * extrapolated.error),
+                    .because = "four standard errors"});
+      rows.at_least("difference of I_x at xi = 0.4, in standard errors of the extrapolated one",
+                    {.limit = 10.0,
+                     .computed = std::abs(largest.value) / extrapolated.error,
+                     .because = "else noise would hide whether it converges"});
+      rows.write("stepped_in_clouds", table);
+    }};
+
 }  // namespace verification::scattering_clouds
