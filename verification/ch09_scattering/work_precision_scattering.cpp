@@ -85,8 +85,8 @@ const Case lone_sphere{
           stratified{1.0 / 24, 1.0 / 32, 1.0 / 48, 1.0 / 64, 1.0 / 96};
       std::vector<double> xi{0.4, 0.2, 0.1, 0.05, 0.028, 0.022, 0.017, 0.013, 0.01};
       if (rows.full()) {
-        random.insert(random.end(), {1.0 / 192, 1.0 / 256});
-        stratified.insert(stratified.end(), {1.0 / 128, 1.0 / 192, 1.0 / 256});
+        random.insert(random.end(), {1.0 / 176});
+        stratified.insert(stratified.end(), {1.0 / 128, 1.0 / 176});
         xi.insert(xi.end(), {0.0055, 0.003});
       }
       rows.work_precision({.problem = "lone_sphere",
@@ -94,7 +94,7 @@ const Case lone_sphere{
                            .floor = 1e-14,
                            .competitors = {exact("exact, random rays", Beam::Points::random, 0.5, random),
                                            exact("exact, stratified rays", Beam::Points::stratified, 1.0, stratified),
-                                           stepped(rows.quick() ? 128 : 256, xi)}});
+                                           stepped(rows.quick() ? 128 : 160, xi)}});
     }};
 
 }  // namespace verification::work_precision_scattering
