@@ -138,11 +138,12 @@ const Case dilute{
         table.add({static_cast<double>(N) * 4.0 / 3.0 * std::numbers::pi * radius * radius * radius, depth, found.value,
                    found.error, law});
         if (radius < 0.01) {
-          rows.compare("unscattered share of a dilute cloud",
-                       {.expected = law,
-                        .computed = found.value,
-                        .tolerance = absolute(4.0 * found.error + 0.028 * law),
-                        .because = "four standard errors, and the depth of 2 times the fraction 0.014 that excludes places"});
+          rows.compare(
+              "unscattered share of a dilute cloud",
+              {.expected = law,
+               .computed = found.value,
+               .tolerance = absolute(4.0 * found.error + 0.028 * law),
+               .because = "four standard errors, and the depth of 2 times the fraction 0.014 that excludes places"});
         } else {
           dense_over = found.value / law;
         }

@@ -50,8 +50,7 @@ std::vector<double> cosines(double edge) {
   return all;
 }
 
-// The largest error in units in the last place. Where the problem is ill conditioned, as its relative change with a
-// rounding of the cosine tells, so many roundings are allowed besides.
+// The largest error in units in the last place.
 template <class Law>
 double units_off(const Law& law, double edge) {
   double worst = 0.0;

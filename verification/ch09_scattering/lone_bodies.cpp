@@ -206,7 +206,7 @@ const Case rates{
       rows.write("beams", table);
     }};
 
-// The lone sphere of the stepped tracer, at four steps; the limit is taken from the two smallest.
+// The lone sphere of the stepped tracer, at two steps, from which the limit is taken.
 const Case stepping{
     {.name = "stepping_slope",
      .claim = "the stepped tracer converges to the exact one with the slope of its closed form",
