@@ -68,6 +68,17 @@ BOOST_AUTO_TEST_CASE(refuses_bodies_beyond_its_box) {
                 "body 0 reaches from 0.85 to 1.05 m in direction y, the box from 0 to 1 m: take a larger box");
 }
 
+BOOST_AUTO_TEST_CASE(refuses_bodies_that_overlap_and_takes_those_that_touch) {
+  const double b = 0.1, below = b * (1.0 - 1e-9);
+  const auto sphere = [&](double y) { return Sphere{{0.5, 0.3 + y, 0.5}, b}; };
+  BOOST_CHECK_NO_THROW(Cloud<Sphere>({sphere(0.0), sphere(2.0 * b), sphere(4.0 * b)}, {}));
+  CHECK_REFUSED(Cloud<Sphere>({sphere(4.0 * b), sphere(0.0), sphere(2.0 * below)}, {}),
+                "bodies must not overlap, though they may touch, and bodies 1 and 2, whose centres are");
+  const auto oblate = [&](double x) { return Spheroid{{0.5 + x, 0.5, 0.5}, Vector3d::UnitX(), 4.0 * b, b}; };
+  BOOST_CHECK_NO_THROW(Cloud<Spheroid>({oblate(-b), oblate(b)}, {}));
+  CHECK_REFUSED(Cloud<Spheroid>({oblate(-below), oblate(below)}, {}), "bodies 0 and 1");
+}
+
 BOOST_AUTO_TEST_SUITE_END()
 BOOST_AUTO_TEST_SUITE(trace_)
 

@@ -23,7 +23,8 @@ inline constexpr double nowhere = std::numeric_limits<double>::infinity();
 /// it reaches from there in each direction [m]. `first_entry(body, from,
 /// direction)` is the distance after which a ray from outside first enters, or nowhere; `next_entry()` the same of a
 /// ray that has just been reflected at a place of the surface. `outward_normal(body, place)` is the unit normal at a
-/// place of the surface, `contains(body, place)` whether a place lies inside. `volume(body)` [m^3], `area(body)` [m^2].
+/// place of the surface, `contains(body, place)` whether a place lies inside. `are_apart(one, other)` says that they do
+/// not overlap; touching, to 1e-12 of their size, counts as apart. `volume(body)` [m^3], `area(body)` [m^2].
 template <class B>
 concept Body = std::copyable<B> && requires(const B& body, const Eigen::Vector3d& x) {
   { body.centre } -> std::convertible_to<Eigen::Vector3d>;
@@ -33,6 +34,7 @@ concept Body = std::copyable<B> && requires(const B& body, const Eigen::Vector3d
   { next_entry(body, x, x) } -> std::same_as<double>;
   { outward_normal(body, x) } -> std::same_as<Eigen::Vector3d>;
   { contains(body, x) } -> std::same_as<bool>;
+  { are_apart(body, body) } -> std::same_as<bool>;
   { volume(body) } -> std::same_as<double>;
   { area(body) } -> std::same_as<double>;
 };
@@ -115,6 +117,13 @@ inline Eigen::Vector3d outward_normal(const Sphere& body, const Eigen::Vector3d&
 inline bool contains(const Sphere& body, const Eigen::Vector3d& place) {
   return (place - body.centre).squaredNorm() < body.radius * body.radius;
 }
+/// @param one    a ball
+/// @param other  another
+/// @return false: they overlap by more than 1e-12 of the distance at which they touch
+inline bool are_apart(const Sphere& one, const Sphere& other) {
+  const double touching = (1.0 - 1e-12) * (one.radius + other.radius);
+  return (one.centre - other.centre).squaredNorm() >= touching * touching;
+}
 /// @param body  a ball @return its volume [m^3]
 inline double volume(const Sphere& body) {
   return 4.0 / 3.0 * std::numbers::pi * body.radius * body.radius * body.radius;
@@ -171,6 +180,12 @@ inline Eigen::Vector3d outward_normal(const Spheroid& body, const Eigen::Vector3
 inline bool contains(const Spheroid& body, const Eigen::Vector3d& place) {
   return stretched(body, place - body.centre).squaredNorm() < body.equatorial * body.equatorial;
 }
+/// Whether two spheroids are apart, by the separation of their centres. @see are_apart()
+///
+/// @param one    a spheroid
+/// @param other  another
+/// @return false: they overlap by more than 1e-12 of their distance
+bool are_apart(const Spheroid& one, const Spheroid& other);
 /// @param body  a spheroid @return its volume [m^3]
 inline double volume(const Spheroid& body) {
   return 4.0 / 3.0 * std::numbers::pi * body.equatorial * body.equatorial * body.polar;

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <atomic>
 #include <limits>
+#include <stdexcept>
+
+#include <fmt/format.h>
 
 namespace particulate::scattering {
 
@@ -11,10 +14,17 @@ namespace {
 // A share of a cell by which bodies count as larger.
 constexpr double margin = 1e-6;
 
+const kinematics::Box& sound(const kinematics::Box& box) {
+  if (box.corner.allFinite() && box.lengths.allFinite() && box.lengths.minCoeff() > 0.0) return box;
+  throw std::invalid_argument(
+      fmt::format("cloud: its box must be finite, with positive lengths, got {} x {} x {} m from ({}, {}, {}) m",
+                  box.lengths[0], box.lengths[1], box.lengths[2], box.corner[0], box.corner[1], box.corner[2]));
+}
+
 }  // namespace
 
 Grid::Grid(const kinematics::Box& box, std::span<const Bound> bounds, int threads)
-    : corner_(box.corner), far_(box.corner + box.lengths) {
+    : corner_(sound(box).corner), far_(box.corner + box.lengths) {
   const double edge = std::cbrt(box.lengths.prod() / static_cast<double>(std::max<std::size_t>(bounds.size(), 1)));
   std::size_t all = 1;
   for (std::size_t axis = 0; axis < 3; ++axis) {

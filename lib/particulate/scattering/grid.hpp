@@ -28,6 +28,7 @@ class Grid {
   /// @param box      which contains all bodies
   /// @param bounds   of the bodies, in their order
   /// @param threads  that build it, >= 1; the same grid for any number
+  /// @throws std::invalid_argument for a box that is none
   Grid(const kinematics::Box& box, std::span<const Bound> bounds, int threads = 1);
 
   /// Walks along a ray, cell by cell: visit(bodies, end) gets the numbers of the bodies of each cell and the distance
@@ -49,6 +50,19 @@ class Grid {
       if (--at.left[axis] < 0) return;
       at.cell += at.stride[axis];
       at.next[axis] += at.step[axis];
+    }
+  }
+
+  /// Calls visit(i, j), i < j, for the bodies that one cell names, once for each such cell: bodies that overlap are
+  /// among them.
+  ///
+  /// @param visit  is called with two numbers
+  template <class Visit>
+  void each_pair(Visit&& visit) const {
+    for (std::size_t cell = 0; cell + 1 < first_.size(); ++cell) {
+      for (std::uint32_t a = first_[cell]; a < first_[cell + 1]; ++a) {
+        for (std::uint32_t b = a + 1; b < first_[cell + 1]; ++b) visit(body_[a], body_[b]);
+      }
     }
   }
 

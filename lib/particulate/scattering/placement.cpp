@@ -69,6 +69,11 @@ bool are_apart(const Spheroid& one, const Spheroid& other, const Eigen::Vector3d
   return true;  // within a rounding of touching
 }
 
+bool are_apart(const Spheroid& one, const Spheroid& other) {
+  // Rounding of bodies that touch moves them apart by no more.
+  return are_apart(one, other, (1.0 + 1e-12) * (other.centre - one.centre));
+}
+
 Eigen::Vector3d random_direction(const std::function<double()>& uniform) {
   const double z = 2.0 * uniform() - 1.0, phi = 2.0 * std::numbers::pi * uniform();
   const double across = std::sqrt((1.0 - z) * (1.0 + z));

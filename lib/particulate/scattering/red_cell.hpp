@@ -72,7 +72,7 @@ double first_entry(const RedCell& body, const Eigen::Vector3d& from, const Eigen
 /// @equation{R B.2}
 /// @param body       a cell
 /// @param from       a place of its surface [m]
-/// @param direction  a unit vector that leads outwards
+/// @param direction  a unit vector that leads outwards; of a line that goes on inwards, the entry after that is told
 /// @return distance; nowhere: the ray leaves the cell for good [m]
 double next_entry(const RedCell& body, const Eigen::Vector3d& from, const Eigen::Vector3d& direction);
 
@@ -89,6 +89,17 @@ Eigen::Vector3d outward_normal(const RedCell& body, const Eigen::Vector3d& place
 /// @param place  any [m]
 /// @return whether it lies inside
 bool contains(const RedCell& body, const Eigen::Vector3d& place);
+
+/// Whether two cells are apart, by their bounding spheroids: cells that nest in each other's dimples are said to
+/// overlap.
+///
+/// @equation{R B.2}
+/// @param one    a cell
+/// @param other  another
+/// @return false: their bounding spheroids overlap
+inline bool are_apart(const RedCell& one, const RedCell& other) {
+  return are_apart(bounding_spheroid(one), bounding_spheroid(other));
+}
 
 /// Its volume.
 ///

@@ -72,6 +72,13 @@ void require_inside(std::size_t i, const Bound& bound, const kinematics::Box& bo
   }
 }
 
+void refuse_overlap(std::int32_t one, std::int32_t other, double distance) {
+  throw std::invalid_argument(fmt::format(
+      "cloud: bodies must not overlap, though they may touch, and bodies {} and {}, whose centres are {} m apart, do: "
+      "move one of them, or make it smaller",
+      one, other, distance));
+}
+
 void refuse_start(Eigen::Index ray, std::int32_t body) {
   throw std::invalid_argument(
       fmt::format("rays: they must start outside of all bodies, and ray {} starts inside of body {}", ray, body));

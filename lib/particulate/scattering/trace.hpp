@@ -126,6 +126,7 @@ void close(const std::vector<Fate>& fates, const std::vector<BlockOfRays>& block
 void each_block(Eigen::Index blocks, int threads, const std::function<void(Eigen::Index)>& block);
 
 void require_inside(std::size_t i, const Bound& bound, const kinematics::Box& box);
+[[noreturn]] void refuse_overlap(std::int32_t one, std::int32_t other, double distance);
 [[noreturn]] void refuse_start(Eigen::Index ray, std::int32_t body);
 
 }  // namespace detail
@@ -136,12 +137,18 @@ void require_inside(std::size_t i, const Bound& bound, const kinematics::Box& bo
 template <Body B>
 class Cloud {
  public:
-  /// @param bodies   which do not overlap
+  /// @param bodies   which may touch, and do not overlap
   /// @param box      which contains them
   /// @param threads  that sort them, >= 1
-  /// @throws std::invalid_argument naming the body that is none or lies outside of the box
+  /// @throws std::invalid_argument naming the body that is none or lies outside of the box, and two that overlap;
+  ///         for a box that is none
   Cloud(std::vector<B> bodies, kinematics::Box box, int threads = 1)
-      : bodies_(std::move(bodies)), box_(std::move(box)), grid_(box_, bounds(), threads) {}
+      : bodies_(std::move(bodies)), box_(std::move(box)), grid_(box_, bounds(), threads) {
+    grid_.each_pair([this](std::int32_t i, std::int32_t j) {
+      const B &one = bodies_[static_cast<std::size_t>(i)], &other = bodies_[static_cast<std::size_t>(j)];
+      if (!are_apart(one, other)) detail::refuse_overlap(i, j, (one.centre - other.centre).norm());
+    });
+  }
 
   /// @return the bodies
   const std::vector<B>& bodies() const { return bodies_; }

@@ -37,34 +37,65 @@ Interval squared(Interval a) {
   const bool holds_zero = a.low <= 0.0 && a.high >= 0.0;
   return widened(holds_zero ? 0.0 : std::min(low, high), std::max(low, high));
 }
+Interval operator/(Interval a, Interval b) {
+  const auto [low, high] = std::minmax({a.low / b.low, a.low / b.high, a.high / b.low, a.high / b.high});
+  return widened(low, high);
+}
 Interval exactly(double x) { return {x, x}; }
+
+// A function over an interval, and its derivative.
+struct Function {
+  Interval value, slope = exactly(0.0);
+};
+Function operator+(const Function& a, const Function& b) { return {a.value + b.value, a.slope + b.slope}; }
+Function operator-(const Function& a, const Function& b) { return {a.value - b.value, a.slope - b.slope}; }
+Function operator*(const Function& a, const Function& b) {
+  return {a.value * b.value, a.value * b.slope + a.slope * b.value};
+}
+Function squared(const Function& a) { return {squared(a.value), exactly(2.0) * a.value * a.slope}; }
+Function constant(double x) { return {exactly(x)}; }
 
 // A ray about a cell of radius 1 whose axis is z.
 struct Line {
   Vector3d from, direction;
+
+  Function coordinate(int k, Interval t) const {
+    return {exactly(from[k]) + t * exactly(direction[k]), exactly(direction[k])};
+  }
 };
-// P of the part of a line between two distances.
-Interval shape(const Line& line, Interval t) {
-  const auto coordinate = [&](int k) { return exactly(line.from[k]) + t * exactly(line.direction[k]); };
-  const Interval u = squared(coordinate(0)) + squared(coordinate(1)), zeta = exactly(2.0) * coordinate(2);
-  const Interval f = exactly(RedCell::C0) + u * (exactly(RedCell::C1) + u * exactly(RedCell::C2));
-  return (exactly(1.0) - u) * squared(f) - squared(zeta);
+// u and P of the part of a line between two distances.
+Function squared_radius(const Line& line, Interval t) {
+  return squared(line.coordinate(0, t)) + squared(line.coordinate(1, t));
 }
-bool beyond_rim(const Line& line, Interval t) {
-  const auto coordinate = [&](int k) { return exactly(line.from[k]) + t * exactly(line.direction[k]); };
-  return (squared(coordinate(0)) + squared(coordinate(1))).low > 1.0;
+Function shape(const Line& line, Interval t) {
+  const Function u = squared_radius(line, t), zeta = constant(2.0) * line.coordinate(2, t);
+  const Function f = constant(RedCell::C0) + u * (constant(RedCell::C1) + u * constant(RedCell::C2));
+  return (constant(1.0) - u) * squared(f) - squared(zeta);
+}
+
+// What is left of an interval, on which the slope has one sign, by the interval form of Newton's method.
+Interval narrowed(Interval t, const Function& P, const Function& middle_P) {
+  const double middle = 0.5 * (t.low + t.high);
+  const Interval image = exactly(middle) - middle_P.value / P.slope;
+  return {std::max(t.low, image.low), std::min(t.high, image.high)};
 }
 
 // The first place at which the cell may be entered: parts of the line that are certainly outside are left out, until
 // what is left is shorter than 1e-12. Negative: the line misses the cell for certain. `certain` says whether it is
 // entered there for certain, or only touched to 1e-12 or missed by less.
 double bisected(const Line& line, Interval t, bool& certain) {
-  if (beyond_rim(line, t) || shape(line, t).high < 0.0) return -1.0;
+  if (!(t.low <= t.high) || squared_radius(line, t).value.low > 1.0) return -1.0;
+  const double middle = 0.5 * (t.low + t.high);
+  const Function P = shape(line, t), middle_P = shape(line, exactly(middle));
+  if (P.value.high < 0.0 || (middle_P.value + P.slope * (t - exactly(middle))).high < 0.0) return -1.0;
   if (t.high - t.low < 1e-12) {
-    certain = shape(line, exactly(t.high + 1e-9)).low > 0.0;
+    certain = shape(line, exactly(t.high + 1e-9)).value.low > 0.0;
     return t.low;
   }
-  const double middle = 0.5 * (t.low + t.high);
+  if (P.slope.low > 0.0 || P.slope.high < 0.0) {
+    const Interval left = narrowed(t, P, middle_P);
+    if (left.high - left.low < 0.5 * (t.high - t.low)) return bisected(line, left, certain);
+  }
   const double first = bisected(line, {t.low, middle}, certain);
   return first >= 0.0 ? first : bisected(line, {middle, t.high}, certain);
 }
