@@ -5,12 +5,14 @@
 
 #include <particulate/scattering/interface.hpp>
 
-#include "right.hpp"
+#include "bounce.hpp"
 
 double reflectance(double n_hat, double angle) {
   return particulate::scattering::reflectance(particulate::scattering::Fresnel{n_hat}, std::sin(angle));
 }
 
 Ray bounce(const Ray& ray, const Sphere& sphere, const Share& share) {
-  return right::bounce_from_surface(ray, sphere, share);
+  const Eigen::Vector3d normal = (ray.place - sphere.centre).normalized();
+  const double cosine = -ray.direction.dot(normal);
+  return {ray.place, ray.direction + 2.0 * cosine * normal, share(std::asin(cosine)) * ray.power};
 }
