@@ -21,6 +21,8 @@ set(assignment_topics_ch06 swarm)
 set(assignment_sources_ch06 kinematics/particles schemes/state swarm/objective)
 set(assignment_topics_ch07 thermo)
 set(assignment_sources_ch07 thermo/cooling)
+set(assignment_topics_ch09 scattering)
+set(assignment_sources_ch09 scattering/interface)
 
 # assignment_library(<chNN> <variable>): the targets that hold what the check compares with. In the project's own build
 # they are the topics; alone, a library of the few sources that are needed, which compiles in seconds.

@@ -95,12 +95,13 @@ inline Eigen::Vector3d half_extents(const Sphere& body) { return Eigen::Vector3d
 /// @param direction  a unit vector
 /// @return distance; nowhere: it misses the body [m]
 inline double first_entry(const Sphere& body, const Eigen::Vector3d& from, const Eigen::Vector3d& direction) {
-  // entry_of_ball() of a direction whose length is 1, which is half of its work.
+  // entry_of_ball() of a direction whose length is 1, which is half of its work. Most balls lie beside the ray, half of
+  // them behind: the first question is the one whose answer processors guess.
   const Eigen::Vector3d to_centre = body.centre - from;
   const double ahead = to_centre.dot(direction);
-  if (!(ahead > 0.0)) return nowhere;
   const double left = body.radius * body.radius - (to_centre - ahead * direction).squaredNorm();
-  return left > 0.0 ? std::max(ahead - std::sqrt(left), 0.0) : nowhere;
+  if (!(left > 0.0) || !(ahead > 0.0)) return nowhere;
+  return std::max(ahead - std::sqrt(left), 0.0);
 }
 /// What leaves a convex body does not meet it again. @return nowhere
 inline double next_entry(const Sphere&, const Eigen::Vector3d&, const Eigen::Vector3d&) { return nowhere; }

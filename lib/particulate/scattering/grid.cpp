@@ -33,6 +33,7 @@ Grid::Grid(const kinematics::Box& box, std::span<const Bound> bounds, int thread
     edge_[static_cast<Eigen::Index>(axis)] = length / static_cast<double>(cells_[axis]);
     all *= static_cast<std::size_t>(cells_[axis]);
   }
+  per_edge_ = edge_.cwiseInverse();
   std::vector<std::atomic<std::uint32_t>> count(all);
   const auto N = static_cast<std::int64_t>(bounds.size());
   const auto each_body = [&](const auto& visit) {
@@ -55,9 +56,8 @@ Grid::Grid(const kinematics::Box& box, std::span<const Bound> bounds, int thread
 }
 
 std::int64_t Grid::index(double place, int axis) const {
-  const double cell = std::floor((place - corner_[axis]) / edge_[axis]);
-  return static_cast<std::int64_t>(
-      std::clamp(cell, 0.0, static_cast<double>(cells_[static_cast<std::size_t>(axis)] - 1)));
+  const double last = static_cast<double>(cells_[static_cast<std::size_t>(axis)] - 1);
+  return static_cast<std::int64_t>(std::clamp((place - corner_[axis]) * per_edge_[axis], 0.0, last));
 }
 
 // The cells that a ball reaches into.
@@ -87,11 +87,16 @@ void Grid::each_cell(const Bound& bound, Visit&& visit) const {
   }
 }
 
-bool Grid::begin(const Eigen::Vector3d& from, const Eigen::Vector3d& direction, Walk& at) const {
+bool Grid::contains(const Eigen::Vector3d& place) const {
+  return (place.array() >= corner_.array()).all() && (place.array() <= far_.array()).all();
+}
+
+// The distance after which a ray is in the box; negative: never.
+double Grid::entry(const Eigen::Vector3d& from, const Eigen::Vector3d& direction) const {
   double enter = 0.0, leave = std::numeric_limits<double>::infinity();
   for (int axis = 0; axis < 3; ++axis) {
     if (direction[axis] == 0.0) {
-      if (from[axis] < corner_[axis] || from[axis] > far_[axis]) return false;
+      if (from[axis] < corner_[axis] || from[axis] > far_[axis]) return -1.0;
       continue;
     }
     const double one = (corner_[axis] - from[axis]) / direction[axis],
@@ -99,29 +104,31 @@ bool Grid::begin(const Eigen::Vector3d& from, const Eigen::Vector3d& direction, 
     enter = std::max(enter, std::min(one, other));
     leave = std::min(leave, std::max(one, other));
   }
-  if (!(enter <= leave)) return false;
-  const Eigen::Vector3d place = from + enter * direction;
+  return enter <= leave ? enter : -1.0;
+}
+
+bool Grid::begin(const Eigen::Vector3d& from, const Eigen::Vector3d& direction, Walk& at) const {
+  const double enter = contains(from) ? 0.0 : entry(from, direction);
+  if (!(enter >= 0.0)) return false;
   const std::array<std::int64_t, 3> stride{1, cells_[0], cells_[0] * cells_[1]};
   at.cell = 0;
   for (int axis = 0; axis < 3; ++axis) {
     const auto k = static_cast<std::size_t>(axis);
-    const std::int64_t cell = index(place[axis], axis);
+    const double inverse = 1.0 / direction[axis];
+    const std::int64_t cell = index(from[axis] + enter * direction[axis], axis);
     const bool rises = direction[axis] > 0.0;
     at.cell += cell * stride[k];
     at.stride[k] = rises ? stride[k] : -stride[k];
     at.left[k] = rises ? cells_[k] - 1 - cell : cell;
     const double end = corner_[axis] + static_cast<double>(rises ? cell + 1 : cell) * edge_[axis];
-    at.next[k] =
-        direction[axis] == 0.0 ? std::numeric_limits<double>::infinity() : (end - from[axis]) / direction[axis];
-    at.step[k] = direction[axis] == 0.0 ? 0.0 : edge_[axis] / std::abs(direction[axis]);
+    at.next[k] = std::isfinite(inverse) ? (end - from[axis]) * inverse : std::numeric_limits<double>::infinity();
+    at.step[k] = edge_[axis] * std::abs(inverse);
   }
   return true;
 }
 
 std::span<const std::int32_t> Grid::near(const Eigen::Vector3d& place) const {
-  for (int axis = 0; axis < 3; ++axis) {
-    if (!(place[axis] >= corner_[axis] && place[axis] <= far_[axis])) return {};
-  }
+  if (!contains(place)) return {};
   const auto cell =
       static_cast<std::size_t>((index(place[2], 2) * cells_[1] + index(place[1], 1)) * cells_[0] + index(place[0], 0));
   return std::span(body_).subspan(first_[cell], first_[cell + 1] - first_[cell]);

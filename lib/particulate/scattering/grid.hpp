@@ -42,8 +42,11 @@ class Grid {
     Walk at;
     if (!begin(from, direction, at)) return;
     for (;;) {
-      const bool x_first = at.next[0] < at.next[1];
-      const std::size_t axis = x_first ? (at.next[0] < at.next[2] ? 0 : 2) : (at.next[1] < at.next[2] ? 1 : 2);
+      // The nearest end, without a branch, whose way could not be guessed.
+      const auto is_y = static_cast<std::size_t>(at.next[1] < at.next[2]);
+      const auto not_x =
+          static_cast<std::size_t>(at.next[0] >= at.next[1]) | static_cast<std::size_t>(at.next[0] >= at.next[2]);
+      const std::size_t axis = not_x * (2 - is_y);
       const std::uint32_t first = first_[static_cast<std::size_t>(at.cell)];
       const std::uint32_t last = first_[static_cast<std::size_t>(at.cell) + 1];
       if (!visit(std::span(body_).subspan(first, last - first), at.next[axis])) return;
@@ -81,12 +84,14 @@ class Grid {
     std::array<double, 3> next, step;
     std::array<std::int64_t, 3> left, stride;
   };
+  bool contains(const Eigen::Vector3d& place) const;
+  double entry(const Eigen::Vector3d& from, const Eigen::Vector3d& direction) const;
   bool begin(const Eigen::Vector3d& from, const Eigen::Vector3d& direction, Walk& at) const;
   std::int64_t index(double place, int axis) const;
   template <class Visit>
   void each_cell(const Bound& bound, Visit&& visit) const;
 
-  Eigen::Vector3d corner_, edge_, far_;
+  Eigen::Vector3d corner_, edge_, per_edge_, far_;
   std::array<std::int64_t, 3> cells_{};
   std::vector<std::uint32_t> first_;
   std::vector<std::int32_t> body_;
