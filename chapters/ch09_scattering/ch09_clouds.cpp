@@ -182,7 +182,7 @@ void claim_of_spheres(const std::vector<Series<Fresnel>>& all, report::Checks& c
 
 Cloud<Spheroid> oblates(double L, const std::function<double()>& uniform) {
   const Spheroid like{.equatorial = radius_of(L), .polar = radius_of(L) / 4.0};
-  return {place_spheroids(scatterers, like, {.inside = kinematics::Inside::spheres}, uniform).bodies, {}};
+  return {place_spheroids(scatterers, like, into_cube, uniform).bodies, {}};
 }
 
 //! @section ch09_sound Sound
@@ -213,7 +213,7 @@ void clouds(const Parameters& p, report::Chapter& chapter) {
   const std::vector<FluidFluid> sound{{2.0, 0.5}, {2.0, 2.0}, {10.0, 0.5}, {10.0, 2.0}};
   const auto of_spheres = follow(p, "spheres", sizes, light, spheres);
   const auto of_oblates = follow(p, "ellipsoids", oblate_sizes, light, oblates);
-  const auto of_sound = follow(p, "sound", sizes, sound, spheres);
+  const auto of_sound = follow(p, "sound", {sizes.begin(), sizes.end() - 1}, sound, spheres);
   const report::Output& output = chapter.output();
   write(p, "spheres", of_spheres, 1.0, output);
   write(p, "oblates", of_oblates, 0.25, output);

@@ -56,7 +56,7 @@ void write_moments(const Traced& traced, const std::vector<Path>& paths, const r
   report::Table table({"picture", "path length [m]", "x [m]", "y [m]", "z [m]", "d_x [-]", "d_y [-]",
                        "power over that at the start [-]"});
   for (int k = 0; k <= pictures; ++k) {
-    for (std::size_t i = 0; i < std::min<std::size_t>(paths.size(), 500); ++i) {
+    for (std::size_t i = 0; i < std::min<std::size_t>(paths.size(), 300); ++i) {
       const Moment now = at(paths[i], traced.rays.direction.row(static_cast<Eigen::Index>(i)), k * step);
       table.add({k, k * step, now.place[0], now.place[1], now.place[2], now.direction[0], now.direction[1],
                  now.power / paths[i].front().power});
