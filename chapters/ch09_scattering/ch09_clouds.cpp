@@ -99,7 +99,7 @@ std::string with_error(const report::Mean& mean) {
 //! A line for each size and law goes into a file for figures; readers get one line a size.
 
 std::string name(const Fresnel& law) { return fmt::format("n^ = {:g}", law.n_hat); }
-std::string name(const FluidFluid& law) { return fmt::format("Z^ = {:g}, c^ = {:g}", law.Z_hat, law.c_hat); }
+std::string name(const FluidFluid& law) { return fmt::format("Z^ = {:g} and c^ = {:g}", law.Z_hat, law.c_hat); }
 
 template <class Law>
 void write(const Parameters& p, const std::string& file, const std::vector<Series<Law>>& all, double share_of_ball,

@@ -3,7 +3,7 @@ load style
 file(name) = data.'/'.name.'.csv'
 of(law, c) = strcol(1) eq law ? column(c) : NaN
 light = '"n^ = 1.5" "n^ = 2" "n^ = 4" "n^ = 10" "n^ = 100"'
-fluids = '"Z^ = 2, c^ = 0.5" "Z^ = 2, c^ = 2" "Z^ = 10, c^ = 0.5" "Z^ = 10, c^ = 2"'
+fluids = '"Z^ = 2 and c^ = 0.5" "Z^ = 2 and c^ = 2" "Z^ = 10 and c^ = 0.5" "Z^ = 10 and c^ = 2"'
 
 # Figures 9.7, 9.9 and 9.10: what is left along the beam.
 set terminal svg size 640,440 dynamic enhanced font 'sans-serif,16' background '#ffffff' rounded
