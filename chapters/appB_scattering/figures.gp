@@ -38,11 +38,13 @@ set ylabel 'share of the power'
 plot file('solid') skip 1 using 1:2 with lines lt 1 title '|r|^2', '' skip 1 using 1:3 with lines lt 2 title 'W_l', \
      '' skip 1 using 1:4 with lines lt 3 title 'W_s'
 set output 'appB_forward.svg'
+set autoscale xy
+stats file('crossing') skip 1 using 1 name 'cells' nooutput
 set xrange [0:2]
 set xtics 0.5
 set xlabel 'c t/D'
+set yrange [0:1]
 set ylabel 'I_x/||I(0)||'
-stats file('crossing') skip 1 using 1 name 'cells' nooutput
 set key outside top center horizontal maxcols 4
 plot for [k = 1:4] sprintf("< awk -F, '$1 == %d' '%s'", cells_max/2**(4 - k), file('crossing')) using 2:3:4 \
      with yerrorlines lt k title sprintf('%d cells', cells_max/2**(4 - k))

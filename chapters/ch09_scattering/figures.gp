@@ -1,6 +1,7 @@
 # Figures of chapter 9, from what ch09_scattering wrote into the folder `data`.
 load style
 file(name) = data.'/'.name.'.csv'
+those(name, law) = sprintf("< awk -F, '$1 == \"%s\"' '%s'", law, file(name))
 of(law, c) = strcol(1) eq law ? column(c) : NaN
 light = '"n^ = 1.5" "n^ = 2" "n^ = 4" "n^ = 10" "n^ = 100"'
 fluids = '"Z^ = 2 and c^ = 0.5" "Z^ = 2 and c^ = 2" "Z^ = 10 and c^ = 0.5" "Z^ = 10 and c^ = 2"'
@@ -18,7 +19,7 @@ do for [k = 1:3] {
   set output 'ch09_'.figures[k].'.svg'
   laws = k < 3 ? light : fluids
   set xrange [k == 2 ? 0.23 : 0.24:k == 2 ? 0.64 : k == 1 ? 0.435 : 0.41]
-  plot for [j = 1:words(laws)] file(names[k]) skip 1 using 2:(of(word(laws, j), 4)):5 with yerrorlines lt j title hats(word(laws, j))
+  plot for [j = 1:words(laws)] those(names[k], word(laws, j)) using 2:4:5 with yerrorlines lt j title hats(word(laws, j))
 }
 set output 'ch09_forward_sum.svg'
 set terminal svg size 640,640 dynamic enhanced font 'sans-serif,16' background '#ffffff' rounded
@@ -28,12 +29,12 @@ set multiplot layout 2,1
 set lmargin 10
 unset xlabel
 set ylabel 'forward sum over ||I(0)||'
-plot for [j = 1:words(light)] file('spheres') skip 1 using 2:(of(word(light, j), 6)):7 with yerrorlines lt j title hats(word(light, j))
+plot for [j = 1:words(light)] those('spheres', word(light, j)) using 2:6:7 with yerrorlines lt j title hats(word(light, j))
 set xlabel 'L'
 set ylabel 'absorbed'
 set yrange [0:1]
 unset key
-plot for [j = 1:words(light)] file('spheres') skip 1 using 2:(of(word(light, j), 8)) with linespoints lt j
+plot for [j = 1:words(light)] those('spheres', word(light, j)) using 2:8 with linespoints lt j
 unset multiplot
 set lmargin -1
 
@@ -191,8 +192,8 @@ do for [side = 0:1] {
     set label 27 '·' at m + 0.68,-1.3 center tc lt 1 front
     set label 28 'E' at m - 1.2,1.75 tc lt 1
   }
-  set label base + 5 'n_i, μ_i' at m - 2.8,0.3
-  set label base + 6 'n_t, μ_t' at m - 2.8,-0.35
+  set label base + 15 'n_i, μ_i' at m - 2.8,0.3
+  set label base + 16 'n_t, μ_t' at m - 2.8,-0.35
 }
 plot NaN
 unset arrow
