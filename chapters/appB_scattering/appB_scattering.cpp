@@ -19,7 +19,7 @@
 //! build/release/bin/appB_scattering --out appB --threads 2
 //! @endverbatim
 //!
-//! That takes about half a minute, with `--quick` some ten seconds.
+//! That takes some ten seconds, with `--quick` three.
 //!
 //! @section appB_program The program
 //!

@@ -20,7 +20,7 @@
 //! build/release/bin/ch09_scattering --out ch09 --threads 2
 //! @endverbatim
 //!
-//! That takes about half a minute, with `--quick` some ten seconds.
+//! That takes about a minute, with `--quick` some fifteen seconds.
 //!
 //! @section ch09_model Rays
 //!
