@@ -36,5 +36,22 @@ BOOST_AUTO_TEST_CASE(takes_a_member_or_a_function) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
+BOOST_AUTO_TEST_SUITE(mean_of_)
+
+// Deviations -3, -1, 1, 3: their squares add up to 20, and 20/(4 * 3) = 5/3.
+BOOST_AUTO_TEST_CASE(has_the_standard_error_of_the_mean) {
+  const Mean mean = mean_of({1.0, 3.0, 5.0, 7.0});
+  BOOST_TEST(mean.value == 4.0);
+  BOOST_TEST(mean.standard_error == std::sqrt(5.0 / 3.0), boost::test_tools::tolerance(1e-15));
+}
+
+BOOST_AUTO_TEST_CASE(does_not_know_the_error_of_a_single_number) {
+  BOOST_TEST(mean_of({2.0}).value == 2.0);
+  BOOST_TEST(std::isnan(mean_of({2.0}).standard_error));
+}
+
+BOOST_AUTO_TEST_CASE(refuses_nothing) { CHECK_REFUSED(mean_of({}), "needs one number at least, got none"); }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace tests::spread_test

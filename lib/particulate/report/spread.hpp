@@ -31,4 +31,15 @@ Spread spread_over(const std::vector<T>& all, const Number& number) {
   return spread_of(std::move(numbers));
 }
 
+/// Of several independent numbers the mean, and how far it is likely to be off.
+struct Mean {
+  double value;           ///< the mean
+  double standard_error;  ///< standard deviation of the numbers over the root of their count; NaN of one number
+};
+
+/// @param numbers  one at least
+/// @return \f$ \bar x \f$ and \f$ \sqrt{\sum (x - \bar x)^2/(n (n - 1))} \f$
+/// @throws std::invalid_argument for none
+Mean mean_of(const std::vector<double>& numbers);
+
 }  // namespace particulate::report

@@ -1,0 +1,182 @@
+//! @page ch09_rays Chapter 9: A beam on its way
+//! @brief Where the rays of a beam are, what they carry, and what has become of their power, at times on the way.
+//! @tableofcontents
+//!
+//! @section ch09_rays_question Rays on their way
+//!
+//! Before we ask what is left, we look at what happens. All rays are as fast, so that the length of a path *is* time,
+//! \f$ c\,t \f$. We stop all rays at one length and look where they are: Figure 9.6.
+//!
+//! @figure{ch09_progress, Rays of a beam in a cloud at four lengths of path\, seen from the side. The darker\, the more power a ray still has; a short line shows where it goes\, as long as its power.}
+//!
+//! @section ch09_rays_program The program
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <sstream>
+#include <utility>
+#include <vector>
+
+#include <particulate/scattering/snapshot.hpp>
+
+#include "ch09_scattering.hpp"
+
+namespace ch09 {
+namespace {
+
+//! Paths are kept as the places where rays turn. Where a ray is between two of them, and after the last, is a matter of
+//! going straight.
+
+using Path = std::vector<PathPoint>;
+
+std::vector<Path> split(const std::vector<PathPoint>& points, Eigen::Index rays) {
+  std::vector<Path> paths(static_cast<std::size_t>(rays));
+  for (const PathPoint& point : points) paths[static_cast<std::size_t>(point.ray)].push_back(point);
+  return paths;
+}
+
+struct Moment {
+  Eigen::Vector3d place, direction;
+  double power;
+};
+
+Moment at(const Path& path, const Eigen::Vector3d& last_direction, double length) {
+  const auto next =
+      std::find_if(path.begin() + 1, path.end(), [&](const PathPoint& one) { return one.length > length; });
+  const PathPoint& from = *(next - 1);
+  const Eigen::Vector3d direction =
+      next == path.end() ? last_direction : Eigen::Vector3d((next->place - from.place).normalized());
+  return {from.place + (length - from.length) * direction, direction, from.power};
+}
+
+void write_moments(const Traced& traced, const std::vector<Path>& paths, const report::Output& output) {
+  constexpr int pictures = 48;
+  constexpr double step = 0.05;  // between two pictures [m]
+  report::Table table({"picture", "path length [m]", "x [m]", "y [m]", "z [m]", "d_x [-]", "d_y [-]",
+                       "power over that at the start [-]"});
+  for (int k = 0; k <= pictures; ++k) {
+    for (std::size_t i = 0; i < std::min<std::size_t>(paths.size(), 300); ++i) {
+      const Moment now = at(paths[i], traced.rays.direction.row(static_cast<Eigen::Index>(i)), k * step);
+      table.add({k, k * step, now.place[0], now.place[1], now.place[2], now.direction[0], now.direction[1],
+                 now.power / paths[i].front().power});
+    }
+  }
+  output.write("moments", table);
+}
+
+//! What has become of the power by then is a matter of the ledger, which counts it where it is: on its way in the
+//! cloud, out through a face, or in the scatterers.
+
+double whole(const Ledger& ledger) {
+  return ledger.forward_face() + ledger.backward_face() + ledger.lateral_faces() + ledger.absorbed + ledger.inside;
+}
+
+void write_ledgers(const Parameters& p, const Cloud<Sphere>& cloud, const Rays& rays, report::Chapter& chapter) {
+  report::Table table({"path length [m]", "inside", "forward", "backward", "at the sides", "absorbed", "I_x/I(0)"});
+  double nowhere_at_all = 0.0, off = 0.0;
+  for (const double length : {0.1, 0.2, 0.4, 0.6, 0.8, 1.0, 1.2, 1.6, 2.0, 3.0}) {
+    const Traced traced =
+        trace(cloud, Fresnel{p.n_hat}, rays, {.path_length = length, .threads = p.line.common().threads});
+    const Ledger& now = traced.ledger;
+    const double I = now.incident;
+    table.add({length, now.inside / I, now.forward_face() / I, now.backward_face() / I, now.lateral_faces() / I,
+               now.absorbed / I, now.x / I});
+    nowhere_at_all = std::max(nowhere_at_all, std::abs(whole(now) / I - 1.0));
+    off = std::max(off, (traced.rays.direction.rowwise().norm().array() - 1.0).abs().maxCoeff());
+  }
+  chapter.output().write("ledger", table);
+  chapter.claims("checks").add("on the way: share of the beam's power that is nowhere", nowhere_at_all, 1e-12);
+  chapter.claims("checks").add("on the way: speed of a ray over c, less 1", off, 1e-15);
+}
+
+//! @section ch09_paths Single rays
+//!
+//! To see what one ray does, we draw few, and of the spheres only those that they hit. The rays that stay nearest to
+//! their height are chosen, so that the picture, which has no depth, shows them as they are.
+
+double spread_in_height(const Path& path) {
+  const auto [low, high] = std::minmax_element(
+      path.begin(), path.end(), [](const PathPoint& a, const PathPoint& b) { return a.place[2] < b.place[2]; });
+  return high->place[2] - low->place[2];
+}
+
+const Sphere& nearest(const Cloud<Sphere>& cloud, const Eigen::Vector3d& place) {
+  return *std::min_element(cloud.bodies().begin(), cloud.bodies().end(), [&](const Sphere& a, const Sphere& b) {
+    return (a.centre - place).squaredNorm() < (b.centre - place).squaredNorm();
+  });
+}
+
+void write_paths(const Cloud<Sphere>& cloud, std::vector<Path> paths, const report::Output& output) {
+  paths.erase(std::remove_if(paths.begin(), paths.end(), [](const Path& one) { return one.size() < 4; }), paths.end());
+  std::sort(paths.begin(), paths.end(),
+            [](const Path& a, const Path& b) { return spread_in_height(a) < spread_in_height(b); });
+  paths.resize(std::min<std::size_t>(paths.size(), 6));
+  report::Table turns({"ray", "x [m]", "y [m]", "power over that at the start [-]"});
+  report::Table hit({"x [m]", "y [m]", "radius that is seen at the height of the hit [m]"});
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    const Path& path = paths[i];
+    for (std::size_t k = 0; k < path.size(); ++k) {
+      turns.add({i, path[k].place[0], path[k].place[1], path[k].power / path.front().power});
+      if (k == 0 || k + 1 == path.size()) continue;
+      const Sphere& body = nearest(cloud, path[k].place);
+      const double above = path[k].place[2] - body.centre[2];
+      hit.add({body.centre[0], body.centre[1], std::sqrt(std::max(body.radius * body.radius - above * above, 0.0))});
+    }
+  }
+  output.write("turns", turns);
+  output.write("hit", hit);
+}
+
+//! @section ch09_paraview The whole cloud in ParaView
+//!
+//! `rays.vtp` holds all paths as lines with their power, `scatterers.vtp` the spheres as points with their radii
+//! (@ref snapshot.hpp "how to draw them").
+
+template <class What>
+std::string as_vtk(const std::vector<What>& what) {
+  std::ostringstream out;
+  write_vtk(out, what);
+  return out.str();
+}
+
+}  // namespace
+
+void progress(const Parameters& p, report::Chapter& chapter) {
+  const std::function<double()> uniform = uniform_from(seed_of(p, 0));
+  const Cloud<Sphere> cloud = spheres(p.L, uniform);
+  const Rays rays = rays_of(beam, p.rays, uniform);
+  const Traced traced = trace(cloud, Fresnel{p.n_hat}, rays, {.keeps_paths = true, .threads = p.line.common().threads});
+  const std::vector<Path> paths = split(traced.paths, rays.size());
+  write_moments(traced, paths, chapter.output());
+  write_ledgers(p, cloud, rays, chapter);
+  write_paths(cloud, paths, chapter.output());
+  report::Table places({"x [m]", "y [m]", "z [m]", "radius [m]"});
+  for (const Sphere& body : cloud.bodies()) {
+    places.add({body.centre[0], body.centre[1], body.centre[2], body.radius});
+  }
+  chapter.output().write("scatterers", places);
+  chapter.output().write_file("rays.vtp", as_vtk(traced.paths));
+  chapter.output().write_file("scatterers.vtp", as_vtk(cloud.bodies()));
+  chapter.summary().add({"hits a ray in the cloud that is drawn",
+                         static_cast<double>(traced.ledger.hits) / static_cast<double>(rays.size())});
+}
+
+}  // namespace ch09
+
+//! @section ch09_rays_results What becomes of the power
+//!
+//! @figure{ch09_ledger, What has become of the power of the beam\, against the length of the paths.}
+//!
+//! @table{ch09_ledger}
+//!
+//! Shares of the power of the beam, save the last column. The front of the beam is eaten up within a few spacings; by
+//! the time it could have crossed the cloud, hardly anything is on its way.
+//!
+//! @figure{ch09_paths, Six rays and the spheres that they hit\, each cut at the height of the hit. The thinner a ray\, the less power it has.}
+//!
+//! @section ch09_rays_exercises Exercises
+//!
+//! 1. Watch the beam with `--n_hat 1.5` and `--n_hat 100`. What is the same, and what is not?
+//! 2. At which length has half of the beam hit something? Compare with the mean free path, \f$ 1/(\pi b^2 n) \f$.
+//! 3. Open the files in ParaView, and find a ray that is caught between two spheres for long.

@@ -1,0 +1,83 @@
+//! @page ch09_shared Chapter 9: What its pages share
+//! @brief The parameters of the chapter, its beam and its clouds.
+//! @tableofcontents
+//!
+//! @section ch09_parameters Parameters
+//!
+//! Captions of the monograph tell L and n^ of the beam that is watched, and the axes of the ellipsoids. A thousand
+//! scatterers are those of chapter 4; all other numbers are our choice.
+
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <functional>
+
+#include <boost/random/mersenne_twister.hpp>
+#include <boost/random/uniform_01.hpp>
+
+#include <particulate/report/chapter.hpp>
+#include <particulate/report/spread.hpp>
+#include <particulate/scattering/beam.hpp>
+#include <particulate/scattering/placement.hpp>
+#include <particulate/scattering/trace.hpp>
+
+namespace ch09 {
+
+using namespace particulate;
+using namespace particulate::scattering;
+
+using report::between;
+inline constexpr const char* ours = "our choice";
+
+struct Parameters {
+  report::CommandLine& line;
+  int& rays = line.field(1000, {"rays", "of a beam", "-", between(500, 10000), "9.3"});
+  int& realizations = line.field(
+      40, {"realizations", "clouds that an answer is averaged over, a fifth with --quick", "-", between(40, 80), ours});
+  double& settled = line.field(
+      0.002, {"settled", "change of a running mean below which it counts as settled", "-", between(1e-4, 0.01), ours});
+  double& L = line.field(0.325, {"length_ratio", "radius over spacing of the scatterers whose rays are drawn", "-",
+                                 between(0.2, 0.4), "9.6"});
+  double& n_hat =
+      line.field(10.0, {"n_hat", "ratio of refractive indices of the same, n^", "-", between(1.1, 100.0), "9.6"});
+};
+
+//! @section ch09_beam The beam and what it meets
+//!
+//! Scatterers lie wholly within the unit cube, put there one after the other, each at a place drawn anew until it
+//! overlaps none. A square beam of half the cube's edge comes in through the middle of the face x = 0, along x.
+
+inline constexpr Eigen::Index scatterers = 1000;
+inline const Beam beam{.centre = {0.0, 0.5, 0.5}, .width = 0.5};
+
+inline double radius_of(double L) { return L / std::cbrt(static_cast<double>(scatterers)); }
+
+// Numbers in [0, 1), the same everywhere.
+inline std::function<double()> uniform_from(std::uint64_t seed) {
+  return [engine = boost::random::mt19937_64(seed), uniform = boost::random::uniform_01<double>()]() mutable {
+    return uniform(engine);
+  };
+}
+
+// Where they stand densest, the last ones take many tries.
+inline const kinematics::Addition into_cube{.inside = kinematics::Inside::spheres, .most_attempts = 100000000};
+
+inline Cloud<Sphere> spheres(double L, const std::function<double()>& uniform) {
+  return {place_spheres(scatterers, radius_of(L), into_cube, uniform).bodies, {}};
+}
+
+//! Realization k of every question has the same seed, whatever else differs.
+
+inline int realizations_of(const Parameters& p) { return p.line.common().quick ? p.realizations / 5 : p.realizations; }
+inline std::uint64_t seed_of(const Parameters& p, int k) {
+  return p.line.common().seed + static_cast<std::uint64_t>(k);
+}
+
+//! A page is a function. It writes its tables and adds what it claims.
+
+void reflectance_of_one(report::Chapter& chapter);
+void progress(const Parameters& p, report::Chapter& chapter);
+void clouds(const Parameters& p, report::Chapter& chapter);
+
+}  // namespace ch09

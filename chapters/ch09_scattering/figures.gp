@@ -1,0 +1,235 @@
+# Figures of chapter 9, from what ch09_scattering wrote into the folder `data`.
+load style
+file(name) = data.'/'.name.'.csv'
+those(name, law) = sprintf("< awk -F, '$1 == \"%s\"' '%s'", law, file(name))
+of(law, c) = strcol(1) eq law ? column(c) : NaN
+light = '"n^ = 1.5" "n^ = 2" "n^ = 4" "n^ = 10" "n^ = 100"'
+fluids = '"Z^ = 2 and c^ = 0.5" "Z^ = 2 and c^ = 2" "Z^ = 10 and c^ = 0.5" "Z^ = 10 and c^ = 2"'
+
+# Figures 9.7, 9.9 and 9.10: what is left along the beam.
+set terminal svg size 640,440 dynamic enhanced font 'sans-serif,16' background '#ffffff' rounded
+hats(text) = system("echo '".text."' | sed 's/n^/n̂/; s/Z^/Ẑ/; s/c^/ĉ/'")
+set key outside top center horizontal maxcols 3
+set xlabel 'L = b/(V/N_p)^{1/3}'
+set ylabel 'I_x/||I(0)||'
+set xzeroaxis lc rgb 'gray' lw 1
+array names[3] = ['spheres', 'oblates', 'sound']
+array figures[3] = ['forward', 'oblates', 'sound']
+do for [k = 1:3] {
+  set output 'ch09_'.figures[k].'.svg'
+  laws = k < 3 ? light : fluids
+  set xrange [k == 2 ? 0.23 : 0.24:k == 2 ? 0.64 : k == 1 ? 0.435 : 0.41]
+  plot for [j = 1:words(laws)] those(names[k], word(laws, j)) using 2:4:5 with yerrorlines lt j title hats(word(laws, j))
+}
+set output 'ch09_forward_sum.svg'
+set terminal svg size 640,640 dynamic enhanced font 'sans-serif,16' background '#ffffff' rounded
+set xrange [0.24:0.435]
+set yrange [0:*]
+set multiplot layout 2,1
+set lmargin 10
+unset xlabel
+set ylabel 'forward sum over ||I(0)||'
+plot for [j = 1:words(light)] those('spheres', word(light, j)) using 2:6:7 with yerrorlines lt j title hats(word(light, j))
+set xlabel 'L'
+set ylabel 'absorbed'
+set yrange [0:1]
+unset key
+plot for [j = 1:words(light)] those('spheres', word(light, j)) using 2:8 with linespoints lt j
+unset multiplot
+set lmargin -1
+
+# Where running means had settled.
+set terminal svg size 640,400 dynamic enhanced font 'sans-serif,16' background '#ffffff' rounded
+set output 'ch09_settling.svg'
+set autoscale y
+set xlabel 'L'
+set ylabel 'difference from the mean of all'
+set key top left
+plot file('spheres') skip 1 using 2:(0):(of('n^ = 10', 5)) with yerrorbars lt 7 pt 0 title 'standard error of all', \
+     file('spheres') skip 1 using 2:(of('n^ = 10', 10) - $4) with points lt 2 title 'where it settled', \
+     file('spheres') skip 1 using 2:(of('n^ = 10', 10) - $4):(sprintf('   %d', $9)) with labels left notitle
+unset xzeroaxis
+
+# Figure 9.8.
+set output 'ch09_integrated.svg'
+set key top left
+set logscale x
+set xrange [1:100]
+set yrange [0:1]
+set xlabel 'n̂'
+set ylabel 'reflectance'
+plot file('integrated') skip 1 using 1:2 with lines lt 1 title 'sphere in a beam, F', \
+     file('integrated') skip 1 using 1:3 with lines lt 2 title 'planar quarter', \
+     file('integrated') skip 1 using 1:4 with lines lt 7 title 'at normal incidence'
+unset logscale
+
+# What has become of the power, one share upon the other.
+set output 'ch09_ledger.svg'
+set key outside top center horizontal maxcols 3
+set xrange [0.1:3]
+set xlabel 'length of the paths [m]'
+set ylabel 'share of the power'
+share(k) = sum [j = 2:k] column(j)
+plot for [k = 6:2:-1] file('ledger') skip 1 using 1:(share(k)) with filledcurves x1 fc rgb word('#0072b2 #009e73 #d55e00 #cc79a7 #909090', k - 1) \
+     title word('"on its way" "through" "back" "at the sides" "absorbed"', k - 1)
+
+# Bodies in their true size, those in front drawn last. The cube is seen along z.
+unset key
+unset grid
+set size ratio -1
+set style fill solid 1.0 border rgb '#a8a8a8'
+set xlabel 'x [m]'
+set ylabel 'y [m]' offset 1
+set xtics 0.5
+set ytics 0.5
+set xrange [-0.2:1.2]
+set yrange [-0.1:1.1]
+set palette defined (0 '#ffe0b0', 0.3 '#f08020', 0.7 '#c01818', 1 '#600010')
+set cbrange [0:1]
+unset colorbox
+by_depth(name) = sprintf("< sort -t, -k3,3g '%s'", file(name))
+
+# Figure 9.6: a line is as long as the power of its ray. Spheres behind the middle are a background.
+moment(k) = sprintf("< awk -F, '$1 == %d' '%s'", k, file('moments'))
+reach = 0.06
+set output 'ch09_progress.svg'
+set terminal svg size 640,600 dynamic enhanced font 'sans-serif,16' background '#ffffff' rounded
+set multiplot
+do for [k = 1:4] {
+  set lmargin at screen k % 2 == 1 ? 0.10 : 0.56
+  set rmargin at screen k % 2 == 1 ? 0.52 : 0.98
+  set tmargin at screen k < 3 ? 0.98 : 0.52
+  set bmargin at screen k < 3 ? 0.57 : 0.11
+  set format x k < 3 ? '' : '%g'
+  set format y k % 2 == 1 ? '%g' : ''
+  if (k < 3) { unset xlabel } else { set xlabel 'x [m]' }
+  if (k % 2 == 1) { set ylabel 'y [m]' offset 1 } else { unset ylabel }
+  picture = word('3 8 16 28', k)
+  set label 1 sprintf('%.2f m', picture*0.05) at graph 0.03, 0.94 front
+  plot by_depth('scatterers') skip 1 using ($3 < 0.5 ? $1 : NaN):2:4 with circles fc rgb '#e8e8e8' lw 0.3, \
+       moment(picture + 0) using 3:4:(reach*$6*$8):(reach*$7*$8):8 with vectors nohead lc palette lw 1.2, \
+       moment(picture + 0) using 3:4:8 with points lc palette pt 7 ps 0.25
+}
+unset multiplot
+unset label
+set lmargin -1; set rmargin -1; set tmargin -1; set bmargin -1
+set format '%g'
+
+# Six rays. A ray is drawn from turn to turn, as thick as its power.
+set output 'ch09_paths.svg'
+set terminal svg size 640,560 dynamic enhanced font 'sans-serif,16' background '#ffffff' rounded
+set xlabel 'x [m]'
+set ylabel 'y [m]' offset 1
+set style fill solid 1.0 border rgb '#606060'
+segments = sprintf("< awk -F, '$1 == ray && NR > 2 { print x, y, $2 - x, $3 - y, power, ray } { ray = $1; x = $2; y = $3; power = $4 }' OFS=, '%s'", file('turns'))
+plot file('hit') skip 1 using 1:2:3 with circles fc rgb '#e0e0e0' lw 0.8, \
+     for [k = 0:5] for [w = 1:4] segments using ($6 == k && ceil(4*$5) == w ? $1 : NaN):2:3:4 with vectors head size 0.018,20 filled lt k + 1 lw 0.8*w
+
+# Figures 9.1 and 9.3: the system. Rays come in over the lit part of the face.
+set output 'ch09_system.svg'
+set terminal svg size 640,480 dynamic enhanced font 'sans-serif,16' background '#ffffff' rounded
+unset tics
+unset border
+unset xlabel
+unset ylabel
+set style fill solid 1.0 border rgb '#707070'
+set xrange [-0.75:1.15]
+set yrange [-0.1:1.1]
+set object 1 rectangle from 0,0 to 1,1 fs empty border rgb '#606060' lw 1.6 front
+do for [k = 0:10] { set arrow k + 1 from -0.55,0.25 + 0.05*k to -0.02,0.25 + 0.05*k size 0.03,20 filled lc rgb '#c01818' lw 1.6 front }
+set arrow 20 from -0.62,0.25 to -0.62,0.75 heads size 0.02,20 filled lw 1.2
+set label 1 'D/2' at -0.65,0.5 right
+set label 2 'beam of rays' at -0.3,0.85 center tc rgb '#c01818'
+set label 3 'N_p scatterers in a cube of edge D' at 0.5,1.06 center
+plot by_depth('scatterers') skip 1 using 1:2:4 with circles fc rgb '#d8e4f0' lw 0.5
+unset arrow
+unset label
+unset object
+
+# Figure 9.2: wave fronts across the propagation vector.
+set output 'ch09_front.svg'
+set terminal svg size 640,260 dynamic enhanced font 'sans-serif,16' background '#ffffff' rounded
+set xrange [0:10]
+set yrange [0:4]
+angle = 0.35
+do for [k = 0:5] { set arrow k + 1 from 1.6 + k - 1.6*sin(angle)*0.9,1.0 + 1.6*cos(angle) to 1.6 + k + 1.6*sin(angle)*0.9,1.0 - 1.0*cos(angle) nohead lt 1 }
+set arrow 10 from 6.9,1.55 to 6.9 + 2.2*cos(angle),1.55 + 2.2*sin(angle) size 0.25,20 filled lt 2
+set label 1 'k' at 9.2,2.4 tc lt 2
+set arrow 11 from 2.35,0.25 to 3.3,0.25 heads size 0.12,20 filled lw 1.2
+set label 2 'λ/cos α' at 3.6,0.25
+set label 3 'planes of equal phase' at 3.6,3.5 center tc lt 1
+plot NaN
+unset arrow
+unset label
+
+# Figure 9.4: fields at a surface. A circled dot points to the reader.
+set output 'ch09_fresnel.svg'
+set terminal svg size 640,330 dynamic enhanced font 'sans-serif,16' background '#ffffff' rounded
+set xrange [-3:9.4]
+set yrange [-2.6:3]
+do for [side = 0:1] {
+  m = 6.4*side
+  base = 20*side
+  set object base + 1 rectangle from m - 2.9,-2.6 to m + 2.9,0 fc rgb '#e4ecf4' fs noborder behind
+  set arrow base + 1 from m,-2.5 to m,2.7 nohead lc rgb '#808080' dt (4,4)
+  set arrow base + 2 from m - 2.3,2.3 to m,0 size 0.22,20 filled lc rgb '#c01818' lw 2
+  set arrow base + 3 from m,0 to m + 2.3,2.3 size 0.22,20 filled lc rgb '#c01818' lw 2
+  set arrow base + 4 from m,0 to m + 1.2,-2.3 size 0.22,20 filled lc rgb '#c01818' lw 2
+  set label base + 1 'θ' at m - 0.45,1.1 center
+  set label base + 2 'θ' at m + 0.45,1.1 center
+  set label base + 3 'θ_t' at m + 0.33,-1.2 center
+  if (side == 0) {
+    set arrow 5 from -1.45,1.45 to -0.85,2.05 size 0.18,20 filled lt 1
+    set arrow 6 from 1.45,1.45 to 0.85,2.05 size 0.18,20 filled lt 1
+    set arrow 7 from 0.68,-1.3 to 1.43,-0.9 size 0.18,20 filled lt 1
+    set label 4 'E' at -0.7,2.2 tc lt 1
+  } else {
+    set object 25 circle at m - 1.45,1.45 size 0.16 fc rgb 'white' fs solid border lc rgb '#0072b2' front
+    set object 26 circle at m + 1.45,1.45 size 0.16 fc rgb 'white' fs solid border lc rgb '#0072b2' front
+    set object 27 circle at m + 0.68,-1.3 size 0.16 fc rgb 'white' fs solid border lc rgb '#0072b2' front
+    set label 25 '·' at m - 1.45,1.45 center tc lt 1 front
+    set label 26 '·' at m + 1.45,1.45 center tc lt 1 front
+    set label 27 '·' at m + 0.68,-1.3 center tc lt 1 front
+    set label 28 'E' at m - 1.2,1.75 tc lt 1
+  }
+  set label base + 15 'n_i, μ_i' at m - 2.8,0.3
+  set label base + 16 'n_t, μ_t' at m - 2.8,-0.35
+}
+plot NaN
+unset arrow
+unset label
+unset object
+
+# Figure 9.5: a ray at a scatterer.
+set output 'ch09_particle.svg'
+set terminal svg size 640,330 dynamic enhanced font 'sans-serif,16' background '#ffffff' rounded
+set xrange [-5:5]
+set yrange [-1.4:3.4]
+set object 1 circle at 0,0 size 1.6 fc rgb '#e0e0e0' fs solid border lc rgb '#606060'
+a = 2.3
+set arrow 1 from -4.6,1.6*sin(a) to 1.6*cos(a),1.6*sin(a) size 0.25,20 filled lc rgb '#c01818' lw 3
+set arrow 2 from 1.6*cos(a),1.6*sin(a) to 1.6*cos(a) + 2.1*cos(2*a - pi),1.6*sin(a) + 2.1*sin(2*a - pi) size 0.25,20 filled lc rgb '#c01818' lw 1.6
+set arrow 3 from 0,0 to 3.1*cos(a),3.1*sin(a) size 0.2,20 lc rgb '#606060' dt (4,4)
+set label 1 'n' at 3.3*cos(a),3.3*sin(a) center
+set label 2 'I' at -3.8,1.5 tc rgb '#c01818'
+set label 3 'R I' at 1.6*cos(a) + 2.4*cos(2*a - pi),1.6*sin(a) + 2.2*sin(2*a - pi) center tc rgb '#c01818'
+set label 4 '(1 - R) I' at 0.15,-0.4 center
+set label 5 'θ' at -1.9,1.45 center
+set label 6 'θ' at -1.35,1.9 center
+plot NaN
+unset arrow
+unset label
+unset object
+
+# The film: rays as points, the darker the more power they have.
+set terminal gif animate delay 8 loop 0 size 480,420 font 'sans-serif,12' background '#ffffff'
+set output 'ch09_film.gif'
+set xrange [-0.35:1.35]
+set yrange [-0.25:1.25]
+set object 1 rectangle from 0,0 to 1,1 fs empty border rgb '#a0a0a0' front
+set style fill solid 1.0 border rgb '#d0d0d0'
+do for [k = 0:48] {
+  set label 1 sprintf('c t = %.2f m', k*0.05) at graph 0.03, 0.96
+  plot by_depth('scatterers') skip 1 using ($3 < 0.5 ? $1 : NaN):2:4 with circles fc rgb '#f0f0f0' lw 0.3, \
+       moment(k) using 3:4:8 with points lc palette pt 7 ps 0.5
+}
