@@ -16,22 +16,17 @@ namespace verification::thermo_cost_table {
 
 using namespace particulate;
 
-// Scenes of the program by feature and state; everything else in them is alike.
-struct Feature {
-  const char *name, *absent, *idle, *used;
-  double most_idle;  // instructions that it may cost idle, per particle and step
-  const char* because;
-};
 constexpr std::array features{
-    Feature{"heat of impacts", "heat_absent", "heat_idle", "heat_used", 24.0,
-            "temperatures are carried from step to step"},
-    Feature{"cooling", "cooling_absent", "cooling_idle", "cooling_used", 400.0,
-            "a temperature that rides along through four stages, and a flux that is zero"},
-    Feature{"binding", "binding_absent", "binding_idle", "binding_used", 150.0,
-            "neighbours that are remembered, and one comparison a pair of them"},
-    Feature{"softening", "heat_used", "softening_idle", "softening_used", 40.0, "one factor a contact, which is 1"},
-    Feature{"obstacle", "obstacle_absent", "obstacle_idle", "obstacle_used", 200.0,
-            "the others move past it, so that lists of neighbours age"}};
+    CountedFeature{"heat of impacts", "heat_absent", "heat_idle", "heat_used", 24.0,
+                   "temperatures are carried from step to step"},
+    CountedFeature{"cooling", "cooling_absent", "cooling_idle", "cooling_used", 400.0,
+                   "a temperature that rides along through four stages, and a flux that is zero"},
+    CountedFeature{"binding", "binding_absent", "binding_idle", "binding_used", 150.0,
+                   "neighbours that are remembered, and one comparison a pair of them"},
+    CountedFeature{"softening", "heat_used", "softening_idle", "softening_used", 40.0,
+                   "one factor a contact, which is 1"},
+    CountedFeature{"obstacle", "obstacle_absent", "obstacle_idle", "obstacle_used", 200.0,
+                   "the others move past it, so that lists of neighbours age"}};
 
 void add_line(report::Table& table, const char* feature, const char* state, const StepCost& cost) {
   table.add({feature, state, cost.instructions, cost.allocations, cost.bytes});
@@ -58,22 +53,7 @@ const Case thermo_cost{
      .reference = Reference::independent_method},
     [](Rows& rows) {
       const StepCosts costs = step_costs(PARTICULATE_THERMO_COST, {.few = 5, .many = rows.quick() ? 10 : 60});
-      report::Table table({"feature", "state", "instructions per particle and step", "allocations per step",
-                           "bytes per particle and step"});
-      for (const Feature& feature : features) {
-        const StepCost &absent = costs.of(feature.absent), &idle = costs.of(feature.idle);
-        add_line(table, feature.name, "absent", absent);
-        add_line(table, feature.name, "idle", idle);
-        add_line(table, feature.name, "used", costs.of(feature.used));
-        rows.at_most(fmt::format("{}: instructions idle beyond absent, per particle and step", feature.name),
-                     {.limit = feature.most_idle,
-                      .computed = idle.instructions - absent.instructions,
-                      .because = feature.because});
-        rows.at_least(fmt::format("{}: instructions used over absent", feature.name),
-                      {.limit = 1.0 + 1e-3,
-                       .computed = costs.of(feature.used).instructions / absent.instructions,
-                       .because = "else it is not used"});
-      }
+      report::Table table = judge_features(rows, costs, features, "particle");
       add_line(table, "heat of impacts", "the same impacts without it", costs.of("impacts_alone"));
       for (const char* state : {"absent", "idle", "used"}) {
         add_line(table, "cut-off", state, costs.of(fmt::format("cutoff_{}", state)));

@@ -102,4 +102,23 @@ StepCosts step_costs(const std::string& program, const RunLengths& lengths) {
   return costs;
 }
 
+particulate::report::Table judge_features(Rows& rows, const StepCosts& costs, std::span<const CountedFeature> features,
+                                          const char* each) {
+  particulate::report::Table table({"feature", "state", fmt::format("instructions per {} and step", each),
+                                    "allocations per step", fmt::format("bytes per {} and step", each)});
+  for (const CountedFeature& feature : features) {
+    const StepCost &absent = costs.of(feature.absent), &idle = costs.of(feature.idle), &used = costs.of(feature.used);
+    for (const auto& [state, cost] : {std::pair{"absent", &absent}, {"idle", &idle}, {"used", &used}}) {
+      table.add({feature.name, state, cost->instructions, cost->allocations, cost->bytes});
+    }
+    rows.at_most(
+        fmt::format("{}: instructions idle beyond absent, per {} and step", feature.name, each),
+        {.limit = feature.most_idle, .computed = idle.instructions - absent.instructions, .because = feature.because});
+    rows.at_least(
+        fmt::format("{}: instructions used over absent", feature.name),
+        {.limit = 1.0 + 1e-3, .computed = used.instructions / absent.instructions, .because = "else it is not used"});
+  }
+  return table;
+}
+
 }  // namespace verification

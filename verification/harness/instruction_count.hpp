@@ -1,7 +1,11 @@
 #pragma once
 
 #include <map>
+#include <span>
 #include <string>
+
+#include <harness/rows.hpp>
+#include <particulate/report/table.hpp>
 
 namespace verification {
 
@@ -36,5 +40,23 @@ struct RunLengths {
 /// @return the costs of a step
 /// @throws std::runtime_error if valgrind is missing, or a scene failed, or was not counted: with what they said
 StepCosts step_costs(const std::string& program, const RunLengths& lengths);
+
+/// A feature of a scene, as three scenes of a counted program have it; everything else in them is alike.
+struct CountedFeature {
+  const char* name;                  ///< for the table and the rows
+  const char *absent, *idle, *used;  ///< the scenes: without it, with it but for nothing, and at work
+  double most_idle;                  ///< instructions that it may cost idle, per particle and step
+  const char* because;               ///< why so many
+};
+
+/// Rows and a table of what features cost: idle at most so much more than absent, used more than absent.
+///
+/// @param rows      receives two rows a feature
+/// @param costs     of the program
+/// @param features  what to look at
+/// @param each      what a step is counted per: "particle", "member"
+/// @return the table, three lines a feature: absent, idle, used
+particulate::report::Table judge_features(Rows& rows, const StepCosts& costs, std::span<const CountedFeature> features,
+                                          const char* each);
 
 }  // namespace verification
