@@ -60,8 +60,6 @@
 //!
 //! The parameters, and what the pages share, stand on @subpage ch06_shared.
 
-#include <tuple>
-
 #include <fmt/format.h>
 #include <boost/random/mersenne_twister.hpp>
 #include <boost/random/uniform_01.hpp>
@@ -125,19 +123,9 @@ void write_course(const Course& course, const report::Output& output) {
 
 //! A run with the chapter's own numbers is one that was given none:
 
-bool are_own(const Parameters& p) {
-  report::CommandLine line({.name = "own", .summary = "The chapter's own numbers."});
-  const Parameters own{line};
-  const auto numbers = [](const Parameters& of) {
-    return std::tuple(of.members, of.seeds, of.starts, of.others, of.S, of.K, of.generations, of.c_d, of.v_max,
-                      of.duration, of.step, of.line.common().seed);
-  };
-  return numbers(p) == numbers(own);
-}
-
 void claim_of_own(const Parameters& p, report::Chapter& chapter, const std::string& claim, double error,
                   double allowed) {
-  if (are_own(p)) return chapter.claims("checks").add(claim, error, allowed);
+  if (p.line.has_defaults()) return chapter.claims("checks").add(claim, error, allowed);
   chapter.note(fmt::format("{}: {:.3g}; with the chapter's own numbers at most {:.3g}.", claim, error, allowed));
 }
 

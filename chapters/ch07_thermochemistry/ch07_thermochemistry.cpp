@@ -68,7 +68,6 @@
 #include <future>
 #include <numbers>
 #include <stdexcept>
-#include <tuple>
 
 #include <fmt/format.h>
 #include <boost/random/mersenne_twister.hpp>
@@ -171,19 +170,9 @@ double scatter_of(const Eigen::VectorXd& numbers) {
 
 //! A run with the chapter's own numbers is one that was given none:
 
-bool are_own(const Parameters& p) {
-  report::CommandLine line({.name = "own", .summary = "The chapter's own numbers."});
-  const Parameters own{line};
-  const auto numbers = [](const Parameters& of) {
-    return std::tuple(of.particles, of.seeds, of.duration, of.step, of.F_b, of.d_b, of.link, of.kappa, of.J_star, of.c,
-                      of.theta_star, of.charge, of.window, of.line.common().seed);
-  };
-  return numbers(p) == numbers(own);
-}
-
 void claim_of_own(const Parameters& p, report::Chapter& chapter, const std::string& claim, double error,
                   double allowed) {
-  if (are_own(p)) return chapter.claims("checks").add(claim, error, allowed);
+  if (p.line.has_defaults()) return chapter.claims("checks").add(claim, error, allowed);
   chapter.note(fmt::format("{}: {:.3g}; with the chapter's own numbers at most {:.3g}.", claim, error, allowed));
 }
 

@@ -251,6 +251,16 @@ BOOST_AUTO_TEST_CASE(what_a_run_wrote_gives_the_same_bits_again) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(knows_whether_all_is_as_where_nothing_is_given) {
+  Tried same, other, seeded;
+  BOOST_TEST(!same.parse({"--quick", "--threads=2", "--alpha1=0.5"}));
+  BOOST_TEST(same.command.has_defaults());
+  BOOST_TEST(!other.parse({"--alpha1=0.25"}));
+  BOOST_TEST(!other.command.has_defaults());
+  BOOST_TEST(!seeded.parse({"--seed=2"}));
+  BOOST_TEST(!seeded.command.has_defaults());
+}
+
 BOOST_AUTO_TEST_CASE(the_file_tells_meaning_and_unit) {
   Tried tried;
   BOOST_TEST(!tried.parse({}));

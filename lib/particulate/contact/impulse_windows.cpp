@@ -10,7 +10,7 @@ namespace particulate::contact {
 
 namespace {
 
-// A run of a million windows is a mistake of units, and its memory another.
+// More windows are a mistake of units, and take some hundred megabytes.
 constexpr double most_windows = 1e7;
 
 }  // namespace

@@ -28,7 +28,7 @@ struct WindowImpulse {
 /// Observers see a step before its jump, so what comes after until() belongs to the window in which that step ends.
 class ImpulseWindows {
  public:
-  /// @param body    the particle
+  /// @param body    the particle; -1: the walls, all of them
   /// @param length  tau, > 0 and finite [s]
   /// @throws std::invalid_argument for a length that cannot be meant
   ImpulseWindows(Eigen::Index body, double length);

@@ -186,9 +186,8 @@ void validate_cutoff(const NearField& law) {
   if (law.cutoff - law.taper > d_e) return;
   throw std::invalid_argument(fmt::format(
       "near field: it must act whole beyond its equilibrium distance d_e = {} m, cutoff - taper > d_e, or nothing "
-      "attracts; got cutoff d_c = {} m and taper w = {} m: put the taper behind d_e, and up to the inflection d* = {} "
-      "m "
-      "if the law is to stay convex along the line of centres",
+      "attracts; got cutoff d_c = {} m and taper w = {} m: put the taper behind d_e, and up to the inflection "
+      "d* = {} m if the law is to stay convex along the line of centres",
       d_e, law.cutoff, law.taper, kinematics::inflection_distance(pair)));
 }
 

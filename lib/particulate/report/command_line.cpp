@@ -335,6 +335,14 @@ std::string placeholder(T) {
 
 }  // namespace
 
+bool CommandLine::has_defaults() const {
+  return std::all_of(entries_.begin(), entries_.end(), [](const Entry& entry) {
+    const bool of_the_run = entry.everywhere && entry.field.name != "seed";
+    return of_the_run ||
+           std::visit([](const auto* value) { return plain(*value); }, entry.target) == entry.default_text;
+  });
+}
+
 std::string CommandLine::help() const {
   std::string text = fmt::format("{}: {}\n\nOptions:\n", program_.name, program_.summary);
   text += option_help("-h, --help", "print this and end");

@@ -110,6 +110,10 @@ class CommandLine {
   const std::string& line() const { return line_; }
   /// @return the command that draws the figures of this run, on a line of its own; nothing where there are none
   std::string how_to_draw() const;
+  /// @return whether every field, and the seed, has the value that it has where nothing is given; quick or not, and on
+  /// any
+  ///         number of threads
+  bool has_defaults() const;
   /// @return the text that --help prints: every option, with meaning, unit, default and range
   std::string help() const;
   /// @return a TOML file of all fields as they are now, with seed and quick: what --config needs to repeat the run

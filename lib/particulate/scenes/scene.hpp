@@ -196,7 +196,8 @@ class Scene {
   /// @return whether all have a finite value there: not where a temperature is negative
   bool rates(double t, schemes::In r, schemes::In v, schemes::In y, schemes::Out a,
              schemes::Out dy) const requires is_coupled {
-    return motion_rates(t, r, v, y, a) && temperature_rates(t, r, v, y, dy);
+    const auto at = view(t, r, v, y);
+    return (y.array() >= 0.0).all() && force(at, a) && divide_by_mass(a) && heat(at, dy);
   }
   /// The accelerations of rates() alone, as of a field whose temperatures are frozen.
   ///
