@@ -1,6 +1,9 @@
 // Clouds in a beam: published numbers of the set-up, ledgers, the dilute limit and its end.
 
 #include <cmath>
+#include <cstdint>
+#include <functional>
+#include <numbers>
 #include <numeric>
 #include <string>
 #include <vector>
@@ -9,6 +12,7 @@
 
 #include <harness/case.hpp>
 #include <harness/uniform.hpp>
+#include <particulate/report/spread.hpp>
 #include <particulate/report/table.hpp>
 #include <particulate/scattering/beam.hpp>
 #include <particulate/scattering/placement.hpp>
@@ -18,6 +22,7 @@ namespace verification::scattering_clouds {
 
 using namespace particulate;
 using namespace particulate::scattering;
+using report::Mean, report::mean_of;
 
 // Spheres wholly inside of the unit cube, and half of its face lit.
 Cloud<Sphere> cloud_of(Eigen::Index N, double L, Uniform& uniform) {
@@ -27,16 +32,10 @@ Cloud<Sphere> cloud_of(Eigen::Index N, double L, Uniform& uniform) {
 }
 const Beam beam{.centre = {0.0, 0.5, 0.5}, .width = 0.5};
 
-// Mean and standard error.
-struct Mean {
-  double value, error;
-};
-Mean mean_of(const std::vector<double>& x) {
-  const auto n = static_cast<double>(x.size());
-  const double mean = std::accumulate(x.begin(), x.end(), 0.0) / n;
-  double square = 0.0;
-  for (const double each : x) square += (each - mean) * (each - mean);
-  return {mean, std::sqrt(square / (n * (n - 1.0)))};
+Cloud<RedCell> cells(Uniform& uniform) {
+  const RedCell one{.radius = 0.05};
+  return Cloud<RedCell>(
+      place_red_cells(300, one, {.inside = kinematics::Inside::spheres}, [&] { return uniform(); }).bodies, {});
 }
 
 const Case numbers{
@@ -65,13 +64,14 @@ const Case numbers{
           absorbed.push_back(ledger.absorbed / ledger.incident);
         }
         const Mean of_x = mean_of(x), of_absorbed = mean_of(absorbed);
-        table.add({known.L, known.n_hat, of_x.value, of_x.error, of_absorbed.value, of_absorbed.error});
+        table.add(
+            {known.L, known.n_hat, of_x.value, of_x.standard_error, of_absorbed.value, of_absorbed.standard_error});
         const auto row = [&](const char* what, double expected, double expected_error, const Mean& found) {
           if (std::isnan(expected)) return;
           rows.compare(fmt::format("{}, L = {}, n^ = {}", what, known.L, known.n_hat),
                        {.expected = expected,
                         .computed = found.value,
-                        .tolerance = absolute(4.0 * std::hypot(expected_error, found.error)),
+                        .tolerance = absolute(4.0 * std::hypot(expected_error, found.standard_error)),
                         .because = "four joint standard errors"});
         };
         row("I_x", known.x, known.x_error, of_x);
@@ -106,7 +106,51 @@ const Case ledgers{
       row("exact, cut off below 1e-3", trace(cloud, Fresnel{10.0}, rays, {.least_share = 1e-3}));
       row("exact, stopped on the way", trace(cloud, Fresnel{10.0}, rays, {.path_length = 0.5}));
       row("stepped", trace_in_steps(cloud, Fresnel{10.0}, rays, {.xi = 0.2}));
+      const Traced of_cells = trace(cells(uniform), Fresnel{10.0}, rays);
+      row("red cells", of_cells);
+      rows.at_least("red cells: reflections by the one just left",
+                    {.limit = 1.0,
+                     .computed = static_cast<double>(of_cells.ledger.hits_again),
+                     .because = "else none is booked"});
     }};
+
+// All that tracing tells of power.
+std::vector<double> numbers_of(const Traced& traced) {
+  const Ledger& ledger = traced.ledger;
+  std::vector<double> all(ledger.left.begin(), ledger.left.end());
+  all.insert(all.end(), {ledger.incident, ledger.absorbed, ledger.cut_off, ledger.inside, ledger.x, ledger.forward,
+                         static_cast<double>(ledger.hits), static_cast<double>(ledger.hits_again),
+                         static_cast<double>(ledger.segments)});
+  all.insert(all.end(), traced.absorbed.begin(), traced.absorbed.end());
+  all.insert(all.end(), traced.rays.power.begin(), traced.rays.power.end());
+  return all;
+}
+
+const Case threads{{.name = "ledgers_of_threads",
+                    .claim = "any number of threads fills in the same ledger, bit by bit",
+                    .equation = "R 9.3",
+                    .reference = Reference::identity},
+                   [](Rows& rows) {
+                     Uniform uniform(32);
+                     const auto differing = [&](const auto& cloud, int several) {
+                       // The last block of rays is not a whole one.
+                       const Rays rays = rays_of(beam, rows.quick() ? 3000 : 100000, [&] { return uniform(); });
+                       const auto numbers_with = [&](int n) {
+                         return numbers_of(trace(cloud, Fresnel{10.0}, rays, {.path_length = 2.0, .threads = n}));
+                       };
+                       const std::vector<double> one = numbers_with(1), many = numbers_with(several);
+                       return std::inner_product(one.begin(), one.end(), many.begin(), 0L, std::plus<>(),
+                                                 [](double a, double b) { return a == b ? 0L : 1L; });
+                     };
+                     const Cloud<Sphere> spheres = cloud_of(1000, 0.4, uniform);
+                     const Cloud<RedCell> red_cells = cells(uniform);
+                     for (const int n : {2, 3}) {
+                       rows.none(fmt::format("spheres: numbers that differ between one thread and {}", n),
+                                 differing(spheres, n), "sums are formed in the order of the rays");
+                       rows.none(fmt::format("red cells: numbers that differ between one thread and {}", n),
+                                 differing(red_cells, n), "likewise");
+                     }
+                   }};
 
 // The share of a beam that goes through unscattered: exp(-n pi b^2 x) where spheres are few, less where they are many,
 // as they cannot shade each other's places.
@@ -136,13 +180,13 @@ const Case dilute{
         const double inner = 1.0 - 2.0 * radius;
         const double law = std::exp(-static_cast<double>(N) * std::numbers::pi * radius * radius / (inner * inner));
         table.add({static_cast<double>(N) * 4.0 / 3.0 * std::numbers::pi * radius * radius * radius, depth, found.value,
-                   found.error, law});
+                   found.standard_error, law});
         if (radius < 0.01) {
           rows.compare(
               "unscattered share of a dilute cloud",
               {.expected = law,
                .computed = found.value,
-               .tolerance = absolute(4.0 * found.error + 0.028 * law),
+               .tolerance = absolute(4.0 * found.standard_error + 0.028 * law),
                .because = "four standard errors, and the depth of 2 times the fraction 0.014 that excludes places"});
         } else {
           dense_over = found.value / law;
@@ -176,7 +220,7 @@ const Case in_steps{
       }
       for (std::size_t i = 0; i < steps.size(); ++i) {
         const Mean mean = mean_of(off[i]);
-        table.add({steps[i], mean.value, mean.error});
+        table.add({steps[i], mean.value, mean.standard_error});
       }
       std::vector<double> limit;
       for (std::size_t k = 0; k < off[0].size(); ++k) limit.push_back(2.0 * off[4][k] - off[3][k]);
@@ -184,11 +228,11 @@ const Case in_steps{
       rows.compare("difference of I_x, extrapolated from xi = 0.05 and 0.025",
                    {.expected = 0.0,
                     .computed = extrapolated.value,
-                    .tolerance = absolute(4.0 * extrapolated.error),
+                    .tolerance = absolute(4.0 * extrapolated.standard_error),
                     .because = "four standard errors"});
       rows.at_least("difference of I_x at xi = 0.4, in standard errors of the extrapolated one",
                     {.limit = 10.0,
-                     .computed = std::abs(largest.value) / extrapolated.error,
+                     .computed = std::abs(largest.value) / extrapolated.standard_error,
                      .because = "else noise would hide whether it converges"});
       rows.write("stepped_in_clouds", table);
     }};
