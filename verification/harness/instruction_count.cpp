@@ -103,16 +103,17 @@ StepCosts step_costs(const std::string& program, const RunLengths& lengths) {
 }
 
 particulate::report::Table judge_features(Rows& rows, const StepCosts& costs, std::span<const CountedFeature> features,
-                                          const char* each) {
-  particulate::report::Table table({"feature", "state", fmt::format("instructions per {} and step", each),
-                                    "allocations per step", fmt::format("bytes per {} and step", each)});
+                                          const char* each, const char* step) {
+  particulate::report::Table table({"feature", "state", fmt::format("instructions per {} and {}", each, step),
+                                    fmt::format("allocations per {}", step),
+                                    fmt::format("bytes per {} and {}", each, step)});
   for (const CountedFeature& feature : features) {
     const StepCost &absent = costs.of(feature.absent), &idle = costs.of(feature.idle), &used = costs.of(feature.used);
     for (const auto& [state, cost] : {std::pair{"absent", &absent}, {"idle", &idle}, {"used", &used}}) {
       table.add({feature.name, state, cost->instructions, cost->allocations, cost->bytes});
     }
     rows.at_most(
-        fmt::format("{}: instructions idle beyond absent, per {} and step", feature.name, each),
+        fmt::format("{}: instructions idle beyond absent, per {} and {}", feature.name, each, step),
         {.limit = feature.most_idle, .computed = idle.instructions - absent.instructions, .because = feature.because});
     rows.at_least(
         fmt::format("{}: instructions used over absent", feature.name),

@@ -55,8 +55,9 @@ struct CountedFeature {
 /// @param costs     of the program
 /// @param features  what to look at
 /// @param each      what a step is counted per: "particle", "member"
+/// @param step      what the program calls a step
 /// @return the table, three lines a feature: absent, idle, used
 particulate::report::Table judge_features(Rows& rows, const StepCosts& costs, std::span<const CountedFeature> features,
-                                          const char* each);
+                                          const char* each, const char* step = "step");
 
 }  // namespace verification
