@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include <Eigen/Geometry>
 #include <boost/math/quadrature/gauss.hpp>
 #include <boost/math/tools/minima.hpp>
 

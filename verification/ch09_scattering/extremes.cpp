@@ -207,6 +207,8 @@ void refuse_clouds(Rows& rows) {
   refuse(rows, "a ball at nan", "sphere centre finite nan", spheres(ball, {{not_a_number, 0.0, 0.0}, 1.0}));
   refuse(rows, "a spheroid without an axis", "spheroid axis unit",
          [] { (void)Cloud<Spheroid>({{.axis = Vector3d::Zero()}}, about_origin); });
+  refuse(rows, "a red cell of nan m", "radius positive nan",
+         [] { (void)Cloud<RedCell>({{.radius = not_a_number}}, about_origin); });
   refuse(rows, "a box of nan m", "box finite nan",
          [] { (void)Cloud<Sphere>({}, {.lengths = Vector3d::Constant(not_a_number)}); });
   refuse(rows, "a box of 0 m", "box positive 0", [] { (void)Cloud<Sphere>({}, {.lengths = Vector3d::Zero()}); });
