@@ -156,6 +156,12 @@ BOOST_AUTO_TEST_CASE(refuses_rays_and_settings_that_cannot_be_meant) {
   const Cloud<Sphere> cloud({{{0.5, 0.5, 0.5}, 0.25}}, {});
   const Vector3d x = Vector3d::UnitX(), outside(-1.0, 0.5, 0.5);
   CHECK_REFUSED(trace(cloud, Fresnel{}, one_ray({0.5, 0.5, 0.6}, x)), "ray 0 starts inside of body 0");
+  // Of several the first is named, by however many threads.
+  const Eigen::Index N = 2000;
+  const Rays inside{.place = Vector3d(0.5, 0.5, 0.6).transpose().replicate(N, 1),
+                    .direction = x.transpose().replicate(N, 1),
+                    .power = Eigen::VectorXd::Ones(N)};
+  CHECK_REFUSED(trace(cloud, Fresnel{}, inside, {.threads = 2}), "ray 0 starts inside of body 0");
   CHECK_REFUSED(trace(cloud, Fresnel{}, one_ray(outside, 2.0 * x)),
                 "that of ray 0 is (2, 0, 0): divide it by its length");
   CHECK_REFUSED(trace(cloud, Fresnel{}, one_ray({nowhere, 0.0, 0.0}, x)), "places must be finite, ray 0");

@@ -86,13 +86,14 @@ void refuse_start(Eigen::Index ray, std::int32_t body) {
 
 void each_block(Eigen::Index blocks, [[maybe_unused]] int threads, const std::function<void(Eigen::Index)>& block) {
   std::exception_ptr failure;
+  Eigen::Index failed = blocks;
 #pragma omp parallel for schedule(dynamic, 1) num_threads(threads) if (threads > 1)
   for (Eigen::Index k = 0; k < blocks; ++k) {
     try {
       block(k);
     } catch (...) {
 #pragma omp critical
-      failure = std::current_exception();
+      if (k < failed) failed = k, failure = std::current_exception();
     }
   }
   if (failure) std::rethrow_exception(failure);

@@ -122,7 +122,7 @@ std::pair<double, Face> way_out(const kinematics::Box& box, const Ray& ray);
 // Adds up what rays have become, in their order.
 void close(const std::vector<Fate>& fates, const std::vector<BlockOfRays>& blocks, Traced& traced);
 
-// Runs block(k) for every block.
+// Runs block(k) for every block; of several that throw, the first is heard.
 void each_block(Eigen::Index blocks, int threads, const std::function<void(Eigen::Index)>& block);
 
 void require_inside(std::size_t i, const Bound& bound, const kinematics::Box& box);
@@ -276,10 +276,6 @@ Traced trace_each(const Cloud<B>& cloud, const Law& law, const Rays& rays, const
   validate(rays);
   validate(settings);
   const Eigen::Index N = rays.size(), blocks = (N + rays_a_block - 1) / rays_a_block;
-  for (Eigen::Index i = 0; i < N; ++i) {
-    const std::int32_t body = cloud.body_at(rays.place.row(i));
-    if (body >= 0) refuse_start(i, body);
-  }
   Traced traced{
       .ledger = {}, .absorbed = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(cloud.bodies().size())), .rays = rays};
   traced.ledger.incident = rays.power.sum();
@@ -289,6 +285,7 @@ Traced trace_each(const Cloud<B>& cloud, const Law& law, const Rays& rays, const
     const Eigen::Index end = std::min(N, (k + 1) * rays_a_block);
     for (Eigen::Index i = k * rays_a_block; i < end; ++i) {
       Ray ray{.place = rays.place.row(i), .direction = rays.direction.row(i), .power = rays.power[i]};
+      if (const std::int32_t body = cloud.body_at(ray.place); body >= 0) refuse_start(i, body);
       fates[static_cast<std::size_t>(i)] =
           follow_one(static_cast<std::int32_t>(i), ray, written[static_cast<std::size_t>(k)]);
       traced.rays.place.row(i) = ray.place;
