@@ -43,7 +43,9 @@
 //!
 //! A ray keeps R of its power; what is not reflected counts as absorbed: the scatterers are opaque. Mean values are
 //! right for light that is not polarized. After one reflection it is, a little, which a tracer that carries one number
-//! a ray does not know.
+//! a ray does not know. What that costs was measured once, with a tracer that carries it
+//! (`verify_ch09_polarization_left_out`): \f$ I_x \f$ of a cloud changes by at most \f$ 6 \cdot 10^{-4} \f$ of the beam,
+//! for \f$ \hat n \f$ from 1.5 to 32 and L from 0.25 to 0.4, which is less than the scatter of twenty clouds.
 //!
 //! @figure{ch09_particle, The same at a scatterer: what counts is the angle to the normal at the place of the hit\, Figure 9.5.}
 //!
