@@ -659,14 +659,17 @@ Counts write_chapter_page(const Chapter& chapter, const fs::path& out, const fs:
   if (counts.rows == 0) {
     throw std::runtime_error((chapter.data / "rows.csv").string() + ": no row, so nothing was verified");
   }
+  const bool has_extremes = extremes && extremes->size() > 0;
+  const bool has_work = fs::exists(chapter.data / "work_precision.csv");
   std::string page = fmt::format("# {}, verified {{#{}}}\n\n", chapter.title(), chapter.page());
   page += fmt::format(
       "This page is made from what `{0}` wrote in a {3} run when the documentation was built; how to read it is told "
       "in\n"
       "the @ref verification_guide. The chapter itself: @ref {1}. Further down:\n"
-      "[extreme cases](#guide_{2}_extremes), [error against run time](#guide_{2}_work), "
-      "[the run](#guide_{2}_run).\n",
-      chapter.page(), chapter.slug, chapter.name(), rows.at(0, "run"));
+      "{4}{5}[the run](#guide_{2}_run).\n",
+      chapter.page(), chapter.slug, chapter.name(), rows.at(0, "run"),
+      has_extremes ? fmt::format("[extreme cases](#guide_{}_extremes), ", chapter.name()) : "",
+      has_work ? fmt::format("[error against run time](#guide_{}_work), ", chapter.name()) : "");
   page += block(html({.columns = summary_columns,
                       .rows = {summary_row(counts)},
                       .bad = {counts.failures + counts.extreme_failures > 0}}));
@@ -675,10 +678,10 @@ Counts write_chapter_page(const Chapter& chapter, const fs::path& out, const fs:
       "and why.\n\n",
       chapter.name());
   page += claims_section(rows, Csv(chapter.data / "cases.csv"));
-  if (extremes && extremes->size() > 0) {
+  if (has_extremes) {
     page += fmt::format("## Extreme cases {{#guide_{}_extremes}}\n\n", chapter.name()) + stability_section(*extremes);
   }
-  if (fs::exists(chapter.data / "work_precision.csv")) {
+  if (has_work) {
     page += fmt::format("## Error against run time {{#guide_{}_work}}\n\n", chapter.name()) +
             work_section(chapter, rows, figures);
   }
