@@ -6,7 +6,7 @@
 //!
 //! Appendix B of the monograph @cite zohdi2007 has three additions to @ref ch09_scattering "chapter 9".
 //!
-//! @figure{appB_reflectance_first, What surfaces reflect: for all but good reflectors less straight on than at any other angle.}
+//! @figure{appB_reflectance, What surfaces reflect: for all but good reflectors less straight on than at any other angle.}
 //!
 //! - How does reflectance depend on angle, index and permeability? @subpage appB_reflectance
 //! - What do thousands of red blood cells leave of a beam? @subpage appB_cells

@@ -12,11 +12,9 @@ set yrange [0:1]
 set xtics 15
 set key outside top center horizontal maxcols 5
 hats = '1.5 2 4 10 32'
-do for [name in 'reflectance reflectance_first'] {
-  set output 'appB_'.name.'.svg'
-  plot for [k = 1:5] curve('1', word(hats, k)) using 3:4 with lines lt k title 'n̂ = '.word(hats, k), \
-       dips('1') using 6:5 with points pt 7 lc rgb '#606060' notitle
-}
+set output 'appB_reflectance.svg'
+plot for [k = 1:5] curve('1', word(hats, k)) using 3:4 with lines lt k title 'n̂ = '.word(hats, k), \
+     dips('1') using 6:5 with points pt 7 lc rgb '#606060' notitle
 set output 'appB_permeability.svg'
 set terminal svg size 640,640 dynamic enhanced font 'sans-serif,16' background '#ffffff' rounded
 set multiplot layout 2,1

@@ -251,7 +251,7 @@ void clouds(const Parameters& p, report::Chapter& chapter) {
 //! \f$ \sigma/\sqrt k \f$: whoever stops when the mean changes by no more than a tolerance is off by about
 //! \f$ \sqrt k \f$ times that. Ten to twenty realizations suffice for the eye; a number needs its standard error.
 //!
-//! @figure{ch09_settling, Where the running mean had settled\, and the mean of all realizations\, n^ = 10.}
+//! @figure{ch09_settling, Where the running mean had settled\, and the mean of all realizations\, n^ = 10. Numbers: after how many realizations; no mark: not within the run.}
 //!
 //! @section ch09_oblates_results Ellipsoids
 //!
