@@ -214,7 +214,7 @@ set arrow 2 from 1.6*cos(a),1.6*sin(a) to 1.6*cos(a) + 2.1*cos(2*a - pi),1.6*sin
 set arrow 3 from 0,0 to 3.1*cos(a),3.1*sin(a) size 0.2,20 lc rgb '#606060' dt (4,4)
 set label 1 'n' at 3.3*cos(a),3.3*sin(a) center
 set label 2 'I' at -3.8,1.5 tc rgb '#c01818'
-set label 3 'R I' at 1.6*cos(a) + 2.4*cos(2*a - pi),1.6*sin(a) + 2.2*sin(2*a - pi) center tc rgb '#c01818'
+set label 3 'R I' at 1.6*cos(a) + 2.4*cos(2*a - pi),1.6*sin(a) + 2.5*sin(2*a - pi) center tc rgb '#c01818'
 set label 4 '(1 - R) I' at 0.15,-0.4 center
 set label 5 'θ' at -1.9,1.45 center
 set label 6 'θ' at -1.35,1.9 center
