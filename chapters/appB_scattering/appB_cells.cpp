@@ -136,21 +136,48 @@ void cross(const Parameters& p, int k, Crossing& crossing) {
   crossing.segments += static_cast<double>(end.segments);
 }
 
-//! Beside it stands what Beer and Lambert's law has: the share \f$ e^{-\tau} \f$ of rays that hit nothing, with the
-//! optical depth \f$ \tau = N A/D^2 \f$, where A is the mean shadow of a cell, a quarter of the surface of its convex
-//! hull. Cells keep away from the faces by their radius, which makes them that much denser on the way of the beam.
+//! Beside it stands what Beer and Lambert's law has (B.2.3): a cell is on the way of a ray with the chance
+//! \f$ p = A \langle 1/((D - 2 h_y)(D - 2 h_z)) \rangle \f$, where A is the mean shadow of a cell, a quarter of the
+//! surface of its convex hull, and h are the half extents, by orientation, by which cells keep away from the faces. Of
+//! independent cells, all miss a ray with the chance \f$ e^{-Np} \f$. But cells do not overlap. The same number lies
+//! less one behind another, and shades more. To second order in their density
+//!
+//! \f[ \ln T = -N p - \frac{(N p)^2}{2} \Big\langle \frac{X}{D - 2 h_x} \Big\rangle , \f]
+//!
+//! where X is how much of a ray two cells, both on its way, keep each other from: along that length they would overlap.
+//! We draw cells on a ray at random for both means; the shadow is known, so that these are known well.
 
 constexpr double mean_shadow = 32.7609034191427e-12;  // [m^2]
 
-double beer_lambert(const Parameters& p, Eigen::Index cells) {
-  const double inner = p.edge - 2.0 * RedCell{}.radius;
-  return std::exp(-static_cast<double>(cells) * mean_shadow / (inner * inner));
+struct Chances {
+  double p, exclusion;  // that a cell is on the way of a ray; <X/(D - 2 h_x)>
+};
+
+Chances chances(const Parameters& p) {
+  const std::function<double()> uniform = uniform_from(1);
+  double per_area = 0.0, excluded = 0.0;
+  int hits = 0;
+  const double reach = 2.0 * bounding_spheroid({}).equatorial;
+  RedCell last{.centre = Eigen::Vector3d::Constant(nowhere)};
+  while (hits < 40000) {
+    RedCell cell{.axis = random_direction(uniform)};
+    for (const int k : {1, 2}) cell.centre[k] = (2.0 * uniform() - 1.0) * cell.radius;
+    if (first_entry(cell, {-2.0 * cell.radius, 0.0, 0.0}, Eigen::Vector3d::UnitX()) == nowhere) continue;
+    const Eigen::Array3d room = p.edge - 2.0 * half_extents(bounding_spheroid(cell)).array();
+    per_area += 1.0 / (room[1] * room[2]);
+    RedCell moved = cell;
+    moved.centre[0] = (2.0 * uniform() - 1.0) * reach;
+    if (hits++ > 0 && !are_apart(last, moved)) excluded += 2.0 * reach / room[0];
+    last = cell;
+  }
+  return {mean_shadow * per_area / hits, excluded / (hits - 1)};
 }
 
 void write_crossings(const Parameters& p, const std::vector<Crossing>& all, report::Chapter& chapter) {
   report::Table curves({"cells", "c t / D", "I_x/I(0)", "standard error"});
   report::Table table({"cells", "I_x/I(0) at the end", "standard error", "hit nothing", "its standard error",
-                       "Beer-Lambert", "absorbed", "segments that meet the same cell again"});
+                       "Beer-Lambert", "without overlap", "absorbed", "segments that meet the same cell again"});
+  const Chances chance = chances(p);
   double worst = 0.0, farthest = 0.0;
   for (const Crossing& one : all) {
     curves.add({one.cells, 0.0, 1.0, 0.0});
@@ -159,18 +186,18 @@ void write_crossings(const Parameters& p, const std::vector<Crossing>& all, repo
       curves.add({one.cells, lengths[j], x.value, x.standard_error});
     }
     const report::Mean end = report::mean_of(one.x.back()), missed = report::mean_of(one.missed);
-    const double law = beer_lambert(p, one.cells);
-    table.add({one.cells, end.value, end.standard_error, missed.value, missed.standard_error, law,
+    const double depth = static_cast<double>(one.cells) * chance.p;
+    const double law = std::exp(-depth - 0.5 * depth * depth * chance.exclusion);
+    table.add({one.cells, end.value, end.standard_error, missed.value, missed.standard_error, std::exp(-depth), law,
                report::mean_of(one.absorbed).value, one.again / one.segments});
     worst = std::max(worst, one.unaccounted);
-    farthest = std::max(farthest, std::abs(missed.value - law) - 4.0 * missed.standard_error - 0.03 * law);
+    farthest = std::max(farthest, std::abs(missed.value - law) / missed.standard_error);
   }
   chapter.output().write("crossing", curves);
   chapter.output().write("crossed", table);
   chapter.claims("checks").add("cells: share of a beam's power that is nowhere", worst, 1e-12);
-  chapter.claims("checks").add(
-      "share that hits no cell, off Beer and Lambert's law by more than 4 standard errors and 3 %",
-      std::max(farthest, 0.0), 0.0);
+  chapter.claims("checks").add("share that hits no cell, off the law of cells without overlap, in standard errors",
+                               farthest, 4.0);
 }
 
 //! @section appB_drawn Rays and cells to look at
@@ -287,7 +314,9 @@ void cells(const Parameters& p, report::Chapter& chapter) {
 //! @table{appB_crossed}
 //!
 //! Cells hardly reflect: their \f$ \hat n \f$ is near 1. What goes on is what hits nothing, to within a few parts in a
-//! thousand, and so follows Beer and Lambert's law; each doubling of the number of cells squares it. What light a cell
+//! thousand. Each doubling of the number of cells nearly squares it, as Beer and Lambert's law has it; at 8000 cells,
+//! which fill 1.6 % of the box, that law has 7 % more than what is seen, and the law of cells without overlap agrees
+//! within the errors. What light a cell
 //! does reflect it reflects at grazing incidence, and forward.
 //!
 //! @section appB_colours_results Two colours: our curve only
