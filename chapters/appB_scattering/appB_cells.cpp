@@ -4,15 +4,15 @@
 //!
 //! @section appB_cell A red blood cell
 //!
-//! At rest a red blood cell is a biconcave disc (B.2.1). Half of its thickness at the distance \f$ \rho = x R_0 \f$ from
-//! the axis is, after Evans and Fung,
+//! At rest a red blood cell is a biconcave disc (B.2.1). Half of its thickness at the distance \f$ \rho = x R_0 \f$
+//! from the axis is, after Evans and Fung,
 //!
 //! \f[ z = \frac{R_0}{2} \sqrt{1 - x^2}\, (C_0 + C_1 x^2 + C_2 x^4), \qquad R_0 = 3.91\ \mu\mathrm{m}, \f]
 //!
 //! with \f$ C_0 = 0.81/3.91 \f$, \f$ C_1 = 7.83/3.91 \f$, \f$ C_2 = -4.39/3.91 \f$ (particulate::scattering::RedCell).
 //! We *count* a cell as opaque, as the monograph does: what is not reflected is lost to the beam.
 //!
-//! @figure{appB_cell, A cell in section\, rays in its plane that meet it\, and the normals there: Figures B.3 and B.4. One ray (green) meets the cell twice.}
+//! @figure{appB_cell, A cell in section\, rays in its plane that meet it\, and the normals there: Figure B.4. One ray (green) meets the cell twice.}
 //!
 //! @section appB_computation How rays meet it
 //!
@@ -40,8 +40,8 @@
 namespace appB {
 namespace {
 
-//! One cell in section, its axis along x, and rays in the plane of the section. One of them is looked for: of those that
-//! meet the cell twice the one that grazes it least.
+//! One cell in section, its axis along x, and rays in the plane of the section. One of them is looked for: of those
+//! that meet the cell twice the one that grazes it least.
 
 struct Line {
   Eigen::Vector3d from, direction;
@@ -100,8 +100,8 @@ void write_section(const report::Output& output) {
 
 //! @section appB_time Time
 //!
-//! The monograph draws \f$ I_x(t)/\|I(0)\| \f$ for growing numbers of cells in the same volume. As all rays are as fast,
-//! time is the length of their paths; we stop them at lengths up to where all have left.
+//! The monograph's example (B.2.3) draws \f$ I_x(t)/\|I(0)\| \f$ for growing numbers of cells in the same volume. As
+//! all rays are as fast, time is the length of their paths; we stop them at lengths up to where all have left.
 
 constexpr std::array<double, 16> lengths{0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7,
                                          0.8,  0.9, 1.0, 1.1, 1.2, 1.4, 1.7, 2.0};  // over the edge [-]
@@ -136,7 +136,7 @@ void cross(const Parameters& p, int k, Crossing& crossing) {
   crossing.segments += static_cast<double>(end.segments);
 }
 
-//! Beside it stands what Beer and Lambert's law has (B.2.3): a cell is on the way of a ray with the chance
+//! Beside it stands what Beer and Lambert's law has: a cell is on the way of a ray with the chance
 //! \f$ p = A \langle 1/((D - 2 h_y)(D - 2 h_z)) \rangle \f$, where A is the mean shadow of a cell, a quarter of the
 //! surface of its convex hull, and h are the half extents, by orientation, by which cells keep away from the faces. Of
 //! independent cells, all miss a ray with the chance \f$ e^{-Np} \f$. But cells do not overlap. The same number lies
@@ -211,13 +211,12 @@ std::string as_vtk(const std::vector<What>& what) {
   return out.str();
 }
 
-// Where a plane at half height cuts cells in the middle of the box: pieces of lines along x that lie inside of a cell.
+// Where a plane at half height cuts cells: pieces of lines along x that lie inside of a cell.
 report::Table cut_at_half_height(const Parameters& p, const Cloud<RedCell>& cloud) {
   report::Table pieces({"x / D", "to x / D", "y / D"});
   constexpr int steps = 40;  // in a radius
   for (const RedCell& cell : cloud.bodies()) {
-    const Eigen::Vector3d off = cell.centre / p.edge - Eigen::Vector3d::Constant(0.5);
-    if (std::abs(off[2]) * p.edge > cell.radius || std::abs(off[1]) > 0.13) continue;
+    if (std::abs(cell.centre[2] - 0.5 * p.edge) > cell.radius) continue;
     const double h = cell.radius / steps;
     for (int j = -steps; j <= steps; j += 4) {
       int begin = steps + 1;
@@ -254,10 +253,10 @@ void write_pictures(const Parameters& p, const report::Output& output) {
 
 //! @section appB_colours Two colours
 //!
-//! Light of 420 nm (violet) and of 710 nm (red) differs in what blood does to it by \f$ \hat n \f$, in a model that has
-//! no more than that. We do not know the values that the monograph took, and have none of its measurements; so we show
-//! what \f$ \hat n \f$ does at all. All values get the same clouds and rays, so that differences between them are known
-//! far better than each of them.
+//! What else could be asked of the model (B.2.4)? Light of 420 nm (violet) and of 710 nm (red) differs in what blood
+//! does to it by \f$ \hat n \f$, in a model that has no more than that. We do not know the values that the monograph
+//! took, and have none of its measurements; so we show what \f$ \hat n \f$ does at all. All values get the same clouds
+//! and rays, so that differences between them are known far better than each of them.
 
 void write_indices(const Parameters& p, const report::Output& output) {
   report::Table table({"n^", "I_x/I(0)", "standard error", "more than at n^ = 1.01", "its standard error"});

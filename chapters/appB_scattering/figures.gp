@@ -64,9 +64,19 @@ set xlabel 'along the axis [μm]'
 set ylabel 'across [μm]'
 set style fill solid 1.0 noborder
 ray(k) = sprintf("< awk -F, '$1 == %d && NR > 1' '%s'", k, file('section'))
+set arrow 1 from 0,0 to 0,3.91 size 0.2,20 lw 1.2
+set label 1 'R_0' at 0.15,2.2
+set arrow 2 from 0,0 to 3.4,0 size 0.2,20 lw 1.2
+set label 2 'axis' at 3.5,0
+set arrow 3 from -1.283,-2.738 to 1.283,-2.738 heads size 0.15,20 lw 1.2
+set label 3 '2z' at 0,-2.3 center
+set label 4 'n' at -1.7,-4.6 center tc rgb '#606060'
 plot file('outline') skip 1 using (-$2):1 with lines lt 2, '' skip 1 using 2:1 with lines lt 2, \
      for [k = 1:4] ray(k) using 2:3 with lines lt 1, ray(0) using 2:3 with lines lt 3 lw 3, \
-     file('section') skip 1 using (abs($2) < 2 && abs($3) < 3.92 ? $2 : NaN):3:4:5 with vectors size 0.2,20 lc rgb '#808080'
+     file('section') skip 1 using (abs($2) < 2 && abs($3) < 3.92 ? $2 : NaN):3:4:5 with vectors size 0.2,20 lc rgb '#606060' lw 1.6
+
+unset arrow
+unset label
 
 # Rays among cells, both near the plane at half height.
 set output 'appB_progress.svg'
@@ -95,6 +105,26 @@ do for [k = 1:4] {
 unset multiplot
 unset label
 set lmargin -1; set rmargin -1; set tmargin -1; set bmargin -1
+
+# Figure B.3: the system.
+set output 'appB_system.svg'
+set terminal svg size 640,480 dynamic enhanced font 'sans-serif,16' background '#ffffff' rounded
+unset tics
+unset border
+unset xlabel
+unset ylabel
+set xrange [-0.75:1.15]
+set yrange [-0.1:1.1]
+set object 1 rectangle from 0,0 to 1,1 fs empty border rgb '#606060' lw 1.6 front
+do for [k = 0:10] { set arrow k + 1 from -0.55,0.25 + 0.05*k to -0.02,0.25 + 0.05*k size 0.03,20 filled lc rgb '#c01818' lw 1.6 front }
+set arrow 20 from -0.62,0.25 to -0.62,0.75 heads size 0.02,20 filled lw 1.2
+set label 1 'D/2' at -0.65,0.5 right
+set label 2 'beam of rays' at -0.3,0.85 center tc rgb '#c01818'
+set label 3 'cells in a cube of edge D' at 0.5,1.06 center
+plot file('slice') skip 1 using 1:3:1:2:($3 - 0.00055):($3 + 0.00055) with boxxyerror fc rgb '#c04040'
+unset arrow
+unset label
+unset object
 
 # Figure B.8: the local frame.
 set output 'appB_frame.svg'

@@ -92,8 +92,8 @@ void write_ledgers(const Parameters& p, const Cloud<Sphere>& cloud, const Rays& 
 
 //! @section ch09_paths Single rays
 //!
-//! To see what one ray does, we draw few, and of the spheres only those that they hit. Of the rays with two hits or more
-//! those are chosen that leave their height least on so long a way, as the picture has no depth.
+//! To see what one ray does, we draw few, and of the spheres only those that they hit. Of the rays with two hits or
+//! more those are chosen that leave their height least on so long a way, as the picture has no depth.
 
 double slant(const Path& path) {
   const auto [low, high] = std::minmax_element(
@@ -176,7 +176,7 @@ void progress(const Parameters& p, report::Chapter& chapter) {
 //! @table{ch09_ledger}
 //!
 //! Shares of the power of the beam, save the last column. The front of the beam is eaten up within a few spacings; by
-//! the time it could have crossed the cloud, hardly anything is on its way.
+//! the time it could have crossed the cloud, about a tenth is still on its way.
 //!
 //! @figure{ch09_paths, Six rays and the spheres that they hit\, each cut at the height of the hit. The thinner a ray\, the less power it has.}
 //!
