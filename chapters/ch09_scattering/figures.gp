@@ -153,13 +153,16 @@ set output 'ch09_front.svg'
 set terminal svg size 640,260 dynamic enhanced font 'sans-serif,16' background '#ffffff' rounded
 set xrange [0:10]
 set yrange [0:4]
-angle = 0.35
-do for [k = 0:5] { set arrow k + 1 from 1.6 + k - 1.6*sin(angle)*0.9,1.0 + 1.6*cos(angle) to 1.6 + k + 1.6*sin(angle)*0.9,1.0 - 1.0*cos(angle) nohead lt 1 }
-set arrow 10 from 6.9,1.55 to 6.9 + 2.2*cos(angle),1.55 + 2.2*sin(angle) size 0.25,20 filled lt 2
-set label 1 'k' at 9.2,2.4 tc lt 2
-set arrow 11 from 2.35,0.25 to 3.3,0.25 heads size 0.12,20 filled lw 1.2
-set label 2 'λ/cos α' at 3.6,0.25
-set label 3 'planes of equal phase' at 3.6,3.5 center tc lt 1
+set size ratio -1
+angle = 0.25
+along(u, v) = 1.5 + u*cos(angle) - v*sin(angle)
+above(u, v) = 1.4 + u*sin(angle) + v*cos(angle)
+do for [k = 0:5] { set arrow k + 1 from along(k, -1.2),above(k, -1.2) to along(k, 1.2),above(k, 1.2) nohead lt 1 }
+set arrow 10 from along(5, 0),above(5, 0) to along(7, 0),above(7, 0) size 0.25,20 filled lt 2
+set label 1 'k' at along(7.2, 0),above(7.2, 0) tc lt 2
+set arrow 11 from along(2, -0.8),above(2, -0.8) to along(3, -0.8),above(3, -0.8) heads size 0.12,20 filled lw 1.2
+set label 2 'λ' at along(2.5, -0.55),above(2.5, -0.55) center
+set label 3 'planes of equal phase' at along(0.8, 1.7),above(0.8, 1.7) center tc lt 1
 plot NaN
 unset arrow
 unset label
