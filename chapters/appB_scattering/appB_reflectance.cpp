@@ -67,8 +67,8 @@ void write_curves(report::Chapter& chapter) {
   chapter.output().write("dips", dips);
 }
 
-//! Whether there is a dip is asked of a few hundred surfaces, save those within a hundredth of the limit, where it is too
-//! shallow to be told from rounding.
+//! Whether there is a dip is asked of a few hundred surfaces, save those within a hundredth of the limit, where it is
+//! too shallow to be told from rounding.
 
 double wrong_about_dips() {
   double wrong = 0.0;

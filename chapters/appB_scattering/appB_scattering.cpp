@@ -6,7 +6,7 @@
 //!
 //! Appendix B of the monograph @cite zohdi2007 has three additions to @ref ch09_scattering "chapter 9".
 //!
-//! @figure{appB_reflectance_first, What surfaces reflect: for all but good reflectors less straight on than at any other angle.}
+//! @figure{appB_system, A beam of parallel rays\, and a cube with 8000 red blood cells\, of which those at half height are drawn\, as a plane cuts them: Figure B.3.}
 //!
 //! - How does reflectance depend on angle, index and permeability? @subpage appB_reflectance
 //! - What do thousands of red blood cells leave of a beam? @subpage appB_cells

@@ -5,7 +5,7 @@
 //! @section appB_solid Two waves in the solid
 //!
 //! Sound in a fluid that meets an elastic solid makes two waves in it: a *longitudinal* one of speed \f$ c_l \f$, and a
-//! *shear* wave of speed \f$ c_s \f$ (B.3.2). Both must keep step with the incident wave along the surface,
+//! *shear* wave of speed \f$ c_s \f$ (B.3.1). Both must keep step with the incident wave along the surface,
 //!
 //! \f[ \frac{\sin\theta}{c_f} = \frac{\sin\theta_l}{c_l} = \frac{\sin\theta_s}{c_s} , \f]
 //!
@@ -20,8 +20,8 @@
 //! Here \f$ W_l \f$ and \f$ W_s \f$ are the shares that go into the solid (particulate::scattering::shares). Together
 //! with \f$ |r|^2 \f$ they are all there is.
 //!
-//! **The local frame** of a reflection. Rays come from anywhere and surfaces look anywhere. What the formulas need is
-//! the frame of the hit: the normal n, and the tangent in the plane of incidence,
+//! **The local frame** of a reflection (B.3.2). Rays come from anywhere and surfaces look anywhere. What the formulas
+//! need is the frame of the hit: the normal n, and the tangent in the plane of incidence,
 //! \f$ t = (d - (d \cdot n)\, n)/\sin\theta \f$. The tracer gets by without t, as a mirror keeps it:
 //! \f$ d' = d - 2 (d \cdot n)\, n \f$.
 //!
@@ -67,12 +67,12 @@ void sound(report::Chapter& chapter) {
 //! @section appB_sound_results What comes of it
 //!
 //! Straight on, steel returns nearly nine tenths, and the rest goes on as a longitudinal wave; a shear wave begins with
-//! the angle. At the first critical angle everything is reflected, at that one angle. Between the two a shear wave alone
-//! enters, and beyond the second nothing does.
+//! the angle. At the first critical angle everything is reflected, at that one angle. Between the two a shear wave
+//! alone enters, and beyond the second nothing does.
 //!
 //! @section appB_sound_exercises Exercises
 //!
 //! 1. Why is all reflected exactly at the first critical angle, although a shear wave could enter?
 //! 2. Set \f$ c_s \to 0 \f$: what is left should be two fluids. What becomes of \f$ W_s \f$?
-//! 3. Trace a cloud of steel spheres in water: replace Fresnel in the program by FluidSolid. How does \f$ I_x \f$ differ
-//!    from that of two fluids with the same \f$ \hat Z \f$?
+//! 3. Trace a cloud of steel spheres in water: replace Fresnel in the program by FluidSolid. How does \f$ I_x \f$
+//!    differ from that of two fluids with the same \f$ \hat Z \f$?

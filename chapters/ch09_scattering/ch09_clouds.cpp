@@ -9,8 +9,8 @@
 //!
 //! @figure{ch09_forward, What is left along the beam\, signed\, against L for spheres\, with standard errors: Figure 9.7.}
 //!
-//! \f$ I_x = \sum_r I_r\, d_{r,x} \f$ is *signed*: what comes back counts against what goes on. Beside it stands the sum
-//! over rays that go on, \f$ d_{r,x} > 0 \f$, alone.
+//! \f$ I_x = \sum_r I_r\, d_{r,x} \f$ is *signed*: what comes back counts against what goes on. Beside it stands the
+//! sum over rays that go on, \f$ d_{r,x} > 0 \f$, alone.
 //!
 //! @section ch09_clouds_program The program
 //!
@@ -243,15 +243,15 @@ void clouds(const Parameters& p, report::Chapter& chapter) {
 //! A thin cloud lets part of the beam pass between its spheres, whatever they are made of; that part falls with L and
 //! is soon gone. What is left is scattered light. With small \f$ \hat n \f$ spheres absorb nearly all of it at the
 //! first two or three hits, and \f$ I_x \f$ goes to zero. With large \f$ \hat n \f$ they are mirrors: the cloud turns
-//! more and more of the beam back, and \f$ I_x \f$ is *negative*. A forward sum cannot show that. It tends to zero for
-//! any \f$ \hat n \f$, which is what a cloud that lets nothing through has in common with a cloud that keeps all.
+//! more and more of the beam back, and \f$ I_x \f$ is *negative*. A forward sum cannot show that. It falls towards zero
+//! for any \f$ \hat n \f$, whether a cloud sends back what does not come through, or keeps it.
 //!
 //! **When to stop.** The table of the run (`spheres.csv`) has the realization at which the running mean had settled,
 //! and where it stood. A mean of k numbers moves by about \f$ \sigma/k \f$ with the next one, while it is off by about
 //! \f$ \sigma/\sqrt k \f$: whoever stops when the mean changes by no more than a tolerance is off by about
 //! \f$ \sqrt k \f$ times that. Ten to twenty realizations suffice for the eye; a number needs its standard error.
 //!
-//! @figure{ch09_settling, Where the running mean had settled\, and the mean of all realizations\, n^ = 10.}
+//! @figure{ch09_settling, Where the running mean had settled\, and the mean of all realizations\, n^ = 10. Numbers: after how many realizations; no mark: not within the run.}
 //!
 //! @section ch09_oblates_results Ellipsoids
 //!

@@ -92,13 +92,13 @@ void write_ledgers(const Parameters& p, const Cloud<Sphere>& cloud, const Rays& 
 
 //! @section ch09_paths Single rays
 //!
-//! To see what one ray does, we draw few, and of the spheres only those that they hit. The rays that stay nearest to
-//! their height are chosen, so that the picture, which has no depth, shows them as they are.
+//! To see what one ray does, we draw few, and of the spheres only those that they hit. Of the rays with two hits or
+//! more those are chosen that leave their height least on so long a way, as the picture has no depth.
 
-double spread_in_height(const Path& path) {
+double slant(const Path& path) {
   const auto [low, high] = std::minmax_element(
       path.begin(), path.end(), [](const PathPoint& a, const PathPoint& b) { return a.place[2] < b.place[2]; });
-  return high->place[2] - low->place[2];
+  return (high->place[2] - low->place[2]) / path.back().length;
 }
 
 const Sphere& nearest(const Cloud<Sphere>& cloud, const Eigen::Vector3d& place) {
@@ -107,15 +107,19 @@ const Sphere& nearest(const Cloud<Sphere>& cloud, const Eigen::Vector3d& place) 
   });
 }
 
-void write_paths(const Cloud<Sphere>& cloud, std::vector<Path> paths, const report::Output& output) {
+// A ray comes from outside of the cube, and goes on when it has left.
+void write_paths(const Cloud<Sphere>& cloud, const Traced& traced, std::vector<Path> paths,
+                 const report::Output& output) {
+  constexpr double beyond = 0.15;  // [m]
   paths.erase(std::remove_if(paths.begin(), paths.end(), [](const Path& one) { return one.size() < 4; }), paths.end());
-  std::sort(paths.begin(), paths.end(),
-            [](const Path& a, const Path& b) { return spread_in_height(a) < spread_in_height(b); });
+  std::sort(paths.begin(), paths.end(), [](const Path& a, const Path& b) { return slant(a) < slant(b); });
   paths.resize(std::min<std::size_t>(paths.size(), 6));
   report::Table turns({"ray", "x [m]", "y [m]", "power over that at the start [-]"});
   report::Table hit({"x [m]", "y [m]", "radius that is seen at the height of the hit [m]"});
   for (std::size_t i = 0; i < paths.size(); ++i) {
     const Path& path = paths[i];
+    const Eigen::Vector3d end = path.back().place + beyond * traced.rays.direction.row(path.back().ray).transpose();
+    turns.add({i, path.front().place[0] - beyond, path.front().place[1], 1.0});
     for (std::size_t k = 0; k < path.size(); ++k) {
       turns.add({i, path[k].place[0], path[k].place[1], path[k].power / path.front().power});
       if (k == 0 || k + 1 == path.size()) continue;
@@ -123,6 +127,7 @@ void write_paths(const Cloud<Sphere>& cloud, std::vector<Path> paths, const repo
       const double above = path[k].place[2] - body.centre[2];
       hit.add({body.centre[0], body.centre[1], std::sqrt(std::max(body.radius * body.radius - above * above, 0.0))});
     }
+    turns.add({i, end[0], end[1], path.back().power / path.front().power});
   }
   output.write("turns", turns);
   output.write("hit", hit);
@@ -150,7 +155,7 @@ void progress(const Parameters& p, report::Chapter& chapter) {
   const std::vector<Path> paths = split(traced.paths, rays.size());
   write_moments(traced, paths, chapter.output());
   write_ledgers(p, cloud, rays, chapter);
-  write_paths(cloud, paths, chapter.output());
+  write_paths(cloud, traced, paths, chapter.output());
   report::Table places({"x [m]", "y [m]", "z [m]", "radius [m]"});
   for (const Sphere& body : cloud.bodies()) {
     places.add({body.centre[0], body.centre[1], body.centre[2], body.radius});
@@ -171,7 +176,7 @@ void progress(const Parameters& p, report::Chapter& chapter) {
 //! @table{ch09_ledger}
 //!
 //! Shares of the power of the beam, save the last column. The front of the beam is eaten up within a few spacings; by
-//! the time it could have crossed the cloud, hardly anything is on its way.
+//! the time it could have crossed the cloud, about a tenth is still on its way.
 //!
 //! @figure{ch09_paths, Six rays and the spheres that they hit\, each cut at the height of the hit. The thinner a ray\, the less power it has.}
 //!

@@ -79,6 +79,20 @@ double by_rays(double n_hat) {
   return 1.0 - ledger.absorbed / ledger.incident;
 }
 
+//! Those rays stand on 200 rings about the axis, as many on each as its circumference asks for. Their sum is the
+//! integral by the midpoint rule with \f$ h = 1/200 \f$, to rounding. The rule itself is a little off, since near the
+//! rim \f$ R \approx 1 - C \cos\theta \f$ leaves 1 like a square root: by \f$ 0.17\, C h^{3/2} \f$ as h goes to 0, where
+//! \f$ C = 2 (\hat n^2 + 1)/\sqrt{\hat n^2 - 1} \f$. With 200,000 rings that is at most 4e-7, for \f$ \hat n = 100 \f$.
+
+double over_rings(double n_hat, int rings) {
+  double sum = 0.0;
+  for (int k = 0; k < rings; ++k) {
+    const double r = (k + 0.5) / rings;
+    sum += 2.0 * r * reflectance(Fresnel{n_hat}, std::sqrt((1.0 - r) * (1.0 + r)));
+  }
+  return sum / rings;
+}
+
 //! The other one is summed over equal parts of the angle.
 
 double over_a_quarter(double n_hat) {
@@ -102,17 +116,20 @@ void reflectance_of_one(report::Chapter& chapter) {
   }
   chapter.output().write("integrated", curve);
   report::Table table({"n^", "at normal incidence", "of a sphere, F", "the same by rays", "of a planar quarter"});
-  double worst_rays = 0.0, worst_sum = 0.0;
+  double worst_rays = 0.0, worst_rings = 0.0, worst_sum = 0.0;
   for (const double n_hat : {1.1, 1.5, 2.0, 4.0, 10.0, 32.0, 100.0}) {
     const Fresnel law{n_hat};
     const double F = sphere_reflectance(law), planar = planar_reflectance(law), rays = by_rays(n_hat);
     table.add({n_hat, reflectance(law, 1.0), F, rays, planar});
-    worst_rays = std::max(worst_rays, std::abs(rays - F));
+    worst_rays = std::max(worst_rays, std::abs(rays - over_rings(n_hat, 200)));
+    worst_rings = std::max(worst_rings, std::abs(over_rings(n_hat, 200000) - F));
     worst_sum = std::max(worst_sum, std::abs(over_a_quarter(n_hat) - planar));
   }
   chapter.output().write("one", table);
-  chapter.claims("checks").add("one sphere: share reflected, by rays against the integral", worst_rays, 5e-4);
-  chapter.claims("checks").add("a planar quarter: the library's integral against a plain sum", worst_sum, 1e-7);
+  report::Checks& checks = chapter.claims("checks");
+  checks.add("one sphere: share reflected, by rays against a sum over the rings where they stand", worst_rays, 1e-12);
+  checks.add("one sphere: the library's integral against a sum over many rings", worst_rings, 5e-7);
+  checks.add("a planar quarter: the library's integral against a plain sum", worst_sum, 1e-7);
 }
 
 }  // namespace ch09

@@ -9,6 +9,8 @@
 //!
 //! @figure{ch09_system, The system: a beam of parallel rays\, and a cube with a thousand scatterers. Figures 9.1 and 9.3.}
 //!
+//! What is asked (9.1.3):
+//!
 //! - What does a smooth surface reflect, and what does a whole scatterer? @subpage ch09_reflectance
 //! - What happens to a beam on its way? @subpage ch09_rays
 //! - How much goes on, and how much comes back, against size, shape and material, and for sound? @subpage ch09_clouds
@@ -24,9 +26,10 @@
 //!
 //! @section ch09_model Rays
 //!
-//! **When rays will do** (9.1.1). A ray is a fair picture where scatterers are much larger than the wavelength, some ten
-//! times at least, and smooth on that scale. Diffraction, which sends as much light past an obstacle as it intercepts,
-//! into a narrow cone about the beam, is then left to the beam; interference averages out among scatterers at random.
+//! **When rays will do** (9.1.1). A ray is a fair picture where scatterers are much larger than the wavelength, some
+//! ten times at least, and smooth on that scale. Diffraction, which sends as much light past an obstacle as it
+//! intercepts, into a narrow cone about the beam, is then left to the beam; interference averages out among scatterers
+//! at random.
 //!
 //! **Beams** (9.1.2). A beam of irradiance I and cross-section a is a number of parallel rays
 //! (particulate::scattering::rays_of). Each carries \f$ I a/N_r \f$, the power of its part of the cross-section: a
@@ -42,9 +45,9 @@
 //! \f[ d' = d - 2\, (d \cdot n)\, n, \qquad I' = R(\hat n, \hat\mu, d \cdot n)\, I , \f]
 //!
 //! and the scatterer absorbs the rest. The monograph moves rays in small steps and reflects what has come to lie inside
-//! of a scatterer. Here each ray is followed from one hit to the next (particulate::scattering::trace), exactly, so that
-//! there is no step to choose; particulate::scattering::trace_in_steps is the other way, and the chapter's verification
-//! has one converge to the other.
+//! of a scatterer. Here each ray is followed from one hit to the next (particulate::scattering::trace), exactly, so
+//! that there is no step to choose; particulate::scattering::trace_in_steps is the other way, and the chapter's
+//! verification has one converge to the other.
 //!
 //! **A ledger** counts all of the power (particulate::scattering::Ledger): what left through each face of the cube, and
 //! what was absorbed, add up to what came in.
@@ -94,7 +97,7 @@ int main(int argc, char** argv) {
 //! Section 9.4 in our words, from what these pages show:
 //!
 //! - *The sign says what the sum hides.* A cloud of good reflectors turns the beam back; one of poor ones swallows it.
-//!   Summed over forward rays alone both look alike.
+//!   Summed over forward rays alone, both clouds only let little through.
 //! - *The first layers decide.* A beam is spent within a few mean free paths. Behind them scatterers might as well not
 //!   be there, save for what comes through between all of them.
 //! - *Absorption is a matter of hits.* In a dense cloud light of \f$ \hat n = 10 \f$ is hit several times before it

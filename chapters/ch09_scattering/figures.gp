@@ -84,7 +84,7 @@ set xtics 0.5
 set ytics 0.5
 set xrange [-0.2:1.2]
 set yrange [-0.1:1.1]
-set palette defined (0 '#ffe0b0', 0.3 '#f08020', 0.7 '#c01818', 1 '#600010')
+set palette defined (0 '#f0a020', 0.2 '#f07010', 0.6 '#c01818', 1 '#600010')
 set cbrange [0:1]
 unset colorbox
 by_depth(name) = sprintf("< sort -t, -k3,3g '%s'", file(name))
@@ -96,8 +96,8 @@ set output 'ch09_progress.svg'
 set terminal svg size 640,600 dynamic enhanced font 'sans-serif,16' background '#ffffff' rounded
 set multiplot
 do for [k = 1:4] {
-  set lmargin at screen k % 2 == 1 ? 0.10 : 0.56
-  set rmargin at screen k % 2 == 1 ? 0.52 : 0.98
+  set lmargin at screen k % 2 == 1 ? 0.14 : 0.58
+  set rmargin at screen k % 2 == 1 ? 0.55 : 0.99
   set tmargin at screen k < 3 ? 0.98 : 0.52
   set bmargin at screen k < 3 ? 0.57 : 0.11
   set format x k < 3 ? '' : '%g'
@@ -106,9 +106,9 @@ do for [k = 1:4] {
   if (k % 2 == 1) { set ylabel 'y [m]' offset 1 } else { unset ylabel }
   picture = word('3 8 16 28', k)
   set label 1 sprintf('%.2f m', picture*0.05) at graph 0.03, 0.94 front
-  plot by_depth('scatterers') skip 1 using ($3 < 0.5 ? $1 : NaN):2:4 with circles fc rgb '#e8e8e8' lw 0.3, \
-       moment(picture + 0) using 3:4:(reach*$6*$8):(reach*$7*$8):8 with vectors nohead lc palette lw 1.2, \
-       moment(picture + 0) using 3:4:8 with points lc palette pt 7 ps 0.25
+  plot by_depth('scatterers') skip 1 using ($3 < 0.5 ? $1 : NaN):2:4 with circles fc rgb '#f4f4f4' lw 0.3, \
+       moment(picture + 0) using 3:4:(reach*$6*$8):(reach*$7*$8):8 with vectors nohead lc palette lw 1.6, \
+       moment(picture + 0) using 3:4:8 with points lc palette pt 7 ps 0.4
 }
 unset multiplot
 unset label
@@ -121,9 +121,11 @@ set terminal svg size 640,560 dynamic enhanced font 'sans-serif,16' background '
 set xlabel 'x [m]'
 set ylabel 'y [m]' offset 1
 set style fill solid 1.0 border rgb '#606060'
+set object 1 rectangle from 0,0 to 1,1 fs empty border rgb '#606060' lw 1.2
 segments = sprintf("< awk -F, '$1 == ray && NR > 2 { print x, y, $2 - x, $3 - y, power, ray } { ray = $1; x = $2; y = $3; power = $4 }' OFS=, '%s'", file('turns'))
 plot file('hit') skip 1 using 1:2:3 with circles fc rgb '#e0e0e0' lw 0.8, \
-     for [k = 0:5] for [w = 1:4] segments using ($6 == k && ceil(4*$5) == w ? $1 : NaN):2:3:4 with vectors head size 0.018,20 filled lt k + 1 lw 0.8*w
+     for [k = 0:5] for [w = 1:4] segments using ($6 == k && ceil(4*$5) == w ? $1 : NaN):2:3:4 with vectors head size 0.022,20 filled lt k + 1 dt 1 lw 0.7*w
+unset object
 
 # Figures 9.1 and 9.3: the system. Rays come in over the lit part of the face.
 set output 'ch09_system.svg'
@@ -151,13 +153,16 @@ set output 'ch09_front.svg'
 set terminal svg size 640,260 dynamic enhanced font 'sans-serif,16' background '#ffffff' rounded
 set xrange [0:10]
 set yrange [0:4]
-angle = 0.35
-do for [k = 0:5] { set arrow k + 1 from 1.6 + k - 1.6*sin(angle)*0.9,1.0 + 1.6*cos(angle) to 1.6 + k + 1.6*sin(angle)*0.9,1.0 - 1.0*cos(angle) nohead lt 1 }
-set arrow 10 from 6.9,1.55 to 6.9 + 2.2*cos(angle),1.55 + 2.2*sin(angle) size 0.25,20 filled lt 2
-set label 1 'k' at 9.2,2.4 tc lt 2
-set arrow 11 from 2.35,0.25 to 3.3,0.25 heads size 0.12,20 filled lw 1.2
-set label 2 'λ/cos α' at 3.6,0.25
-set label 3 'planes of equal phase' at 3.6,3.5 center tc lt 1
+set size ratio -1
+angle = 0.25
+along(u, v) = 1.5 + u*cos(angle) - v*sin(angle)
+above(u, v) = 1.4 + u*sin(angle) + v*cos(angle)
+do for [k = 0:5] { set arrow k + 1 from along(k, -1.2),above(k, -1.2) to along(k, 1.2),above(k, 1.2) nohead lt 1 }
+set arrow 10 from along(5, 0),above(5, 0) to along(7, 0),above(7, 0) size 0.25,20 filled lt 2
+set label 1 'k' at along(7.2, 0),above(7.2, 0) tc lt 2
+set arrow 11 from along(2, -0.8),above(2, -0.8) to along(3, -0.8),above(3, -0.8) heads size 0.12,20 filled lw 1.2
+set label 2 'λ' at along(2.5, -0.55),above(2.5, -0.55) center
+set label 3 'planes of equal phase' at along(0.8, 1.7),above(0.8, 1.7) center tc lt 1
 plot NaN
 unset arrow
 unset label
@@ -202,9 +207,9 @@ unset object
 
 # Figure 9.5: a ray at a scatterer.
 set output 'ch09_particle.svg'
-set terminal svg size 640,330 dynamic enhanced font 'sans-serif,16' background '#ffffff' rounded
+set terminal svg size 640,400 dynamic enhanced font 'sans-serif,16' background '#ffffff' rounded
 set xrange [-5:5]
-set yrange [-1.4:3.4]
+set yrange [-1.9:3.6]
 set object 1 circle at 0,0 size 1.6 fc rgb '#e0e0e0' fs solid border lc rgb '#606060'
 a = 2.3
 set arrow 1 from -4.6,1.6*sin(a) to 1.6*cos(a),1.6*sin(a) size 0.25,20 filled lc rgb '#c01818' lw 3
@@ -212,7 +217,7 @@ set arrow 2 from 1.6*cos(a),1.6*sin(a) to 1.6*cos(a) + 2.1*cos(2*a - pi),1.6*sin
 set arrow 3 from 0,0 to 3.1*cos(a),3.1*sin(a) size 0.2,20 lc rgb '#606060' dt (4,4)
 set label 1 'n' at 3.3*cos(a),3.3*sin(a) center
 set label 2 'I' at -3.8,1.5 tc rgb '#c01818'
-set label 3 'R I' at 1.6*cos(a) + 2.4*cos(2*a - pi),1.6*sin(a) + 2.2*sin(2*a - pi) center tc rgb '#c01818'
+set label 3 'R I' at 1.6*cos(a) + 2.4*cos(2*a - pi),1.6*sin(a) + 2.5*sin(2*a - pi) center tc rgb '#c01818'
 set label 4 '(1 - R) I' at 0.15,-0.4 center
 set label 5 'θ' at -1.9,1.45 center
 set label 6 'θ' at -1.35,1.9 center
@@ -231,5 +236,5 @@ set style fill solid 1.0 border rgb '#d0d0d0'
 do for [k = 0:48] {
   set label 1 sprintf('c t = %.2f m', k*0.05) at graph 0.03, 0.96
   plot by_depth('scatterers') skip 1 using ($3 < 0.5 ? $1 : NaN):2:4 with circles fc rgb '#f0f0f0' lw 0.3, \
-       moment(k) using 3:4:8 with points lc palette pt 7 ps 0.5
+       moment(k) using 3:4:8 with points lc palette pt 7 ps 0.6
 }
