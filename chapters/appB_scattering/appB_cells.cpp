@@ -329,6 +329,6 @@ void cells(const Parameters& p, report::Chapter& chapter) {
 //!
 //! @section appB_cells_exercises Exercises
 //!
-//! 1. Which share of the volume do the cells fill? At which share does the law begin to fail? (`--edge`)
+//! 1. Which share of the volume do the cells fill? At which share does Beer and Lambert's law begin to fail? (`--edge`)
 //! 2. Whole blood has a share of about 45 %. Why can this program not place so many?
 //! 3. Let cells transmit what they do not reflect, without bending it. What is left along the beam then?

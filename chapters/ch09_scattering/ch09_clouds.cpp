@@ -177,8 +177,8 @@ void claim_of_spheres(const std::vector<Series<Fresnel>>& all, report::Checks& c
 
 //! @section ch09_shapes Ellipsoids
 //!
-//! Scatterers of another shape: oblate spheroids, 4:1, with the semi-axes L, L and L/4 times the spacing, in random
-//! orientation. They are a quarter as bulky at the same L, which is why L may be larger.
+//! Scatterers of another shape (9.3.3): oblate spheroids, 4:1, with the semi-axes L, L and L/4 times the spacing, in
+//! random orientation. They are a quarter as bulky at the same L, which is why L may be larger.
 
 Cloud<Spheroid> oblates(double L, const std::function<double()>& uniform) {
   const Spheroid like{.equatorial = radius_of(L), .polar = radius_of(L) / 4.0};
@@ -234,7 +234,7 @@ void clouds(const Parameters& p, report::Chapter& chapter) {
 
 //! @section ch09_clouds_results Spheres
 //!
-//! \f$ I_x/\|I(0)\| \f$, signed, with its standard error:
+//! \f$ I_x/\|I(0)\| \f$, signed, with its standard error (9.3.2):
 //!
 //! @table{ch09_spheres_x}
 //!

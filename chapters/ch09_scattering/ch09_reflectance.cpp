@@ -81,8 +81,9 @@ double by_rays(double n_hat) {
 
 //! Those rays stand on 200 rings about the axis, as many on each as its circumference asks for. Their sum is the
 //! integral by the midpoint rule with \f$ h = 1/200 \f$, to rounding. The rule itself is a little off, since near the
-//! rim \f$ R \approx 1 - C \cos\theta \f$ leaves 1 like a square root: by \f$ 0.17\, C h^{3/2} \f$ as h goes to 0, where
-//! \f$ C = 2 (\hat n^2 + 1)/\sqrt{\hat n^2 - 1} \f$. With 200,000 rings that is at most 4e-7, for \f$ \hat n = 100 \f$.
+//! rim \f$ R \approx 1 - C \cos\theta \f$ leaves 1 like a square root: by \f$ 0.17\, C h^{3/2} \f$ as h goes to 0,
+//! where \f$ C = 2 (\hat n^2 + 1)/\sqrt{\hat n^2 - 1} \f$. With 200,000 rings that is at most 4e-7, for
+//! \f$ \hat n = 100 \f$.
 
 double over_rings(double n_hat, int rings) {
   double sum = 0.0;
