@@ -27,21 +27,23 @@ double squares_apart(double a, double b) { return (a - b) * (a + b); }
 // (a - b)/(a + b).
 double contrast(const Twice& a, const Twice& b) { return ((a - b) / (a + b)).value(); }
 
-// Of f(cos theta) over cos theta from 0 to 1, in parts at `edge`, where it has a kink if it lies between.
-template <class F>
-double integral(const F& f, double edge) {
-  if (!(edge > 0.0 && edge < 1.0)) return detail::integral(f, 0.0, 1.0);
-  return detail::integral(f, 0.0, edge) + detail::integral(f, edge, 1.0);
-}
+// The same interface from behind: it reflects as much of a ray that comes along the refracted one.
+Fresnel from_behind(const Fresnel& law) { return {1.0 / law.n_hat, 1.0 / law.mu_hat}; }
+FluidFluid from_behind(const FluidFluid& law) { return {1.0 / law.Z_hat, 1.0 / law.c_hat}; }
 
-// The cosine of the critical angle; 0 where there is none.
-double critical_cosine(double n_hat) { return n_hat < 1.0 ? std::sqrt(squares_apart(1.0, n_hat)) : 0.0; }
-
-// Of R times a weight of cos theta, over cos theta.
+// Of R times a weight of cos theta, over cos theta. Where rays are reflected totally up to an edge, R leaves 1 there
+// like a square root, of a difference that has lost its digits: over the cosine u of the refracted ray it is smooth.
 template <class Law, class Weight>
 double weighted(const Law& law, double n_hat, const Weight& weight) {
   validate(law);
-  return integral([&](double c) { return reflectance(law, c) * weight(c); }, critical_cosine(n_hat));
+  if (n_hat >= 1.0) return detail::integral([&](double c) { return reflectance(law, c) * weight(c); }, 0.0, 1.0);
+  const double edge = std::sqrt(squares_apart(1.0, n_hat));
+  const Law behind = from_behind(law);
+  const auto refracted = [&](double u) {
+    const double c = std::hypot(edge, n_hat * u);
+    return reflectance(behind, u) * weight(c) * n_hat * n_hat * u / c;
+  };
+  return detail::integral(weight, 0.0, edge) + detail::integral(refracted, 0.0, 1.0);
 }
 
 // Walsh and Duntley's closed form of the sphere's reflectance.
@@ -133,9 +135,10 @@ double sphere_reflectance(const Fresnel& law) {
 }
 
 double planar_reflectance(const Fresnel& law) {
-  // cos theta d theta = d sin theta: over sin theta, which at grazing has no root.
   validate(law);
-  return integral([&](double sine) { return reflectance(law, std::sqrt(squares_apart(1.0, sine))); }, law.n_hat);
+  if (law.n_hat < 1.0) return 1.0 - law.n_hat + law.n_hat * planar_reflectance(from_behind(law));
+  const auto over_angle = [&](double theta) { return reflectance(law, std::cos(theta)) * std::cos(theta); };
+  return detail::integral(over_angle, 0.0, 0.5 * std::numbers::pi);
 }
 
 double sphere_x_irradiance(const Fresnel& law) {
