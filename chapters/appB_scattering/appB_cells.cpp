@@ -27,7 +27,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -113,10 +112,6 @@ struct Crossing {
   double unaccounted = 0.0, again = 0.0, segments = 0.0;
 };
 
-double whole(const Ledger& ledger) {
-  return std::accumulate(ledger.left.begin(), ledger.left.end(), ledger.absorbed + ledger.cut_off + ledger.inside);
-}
-
 void cross(const Parameters& p, int k, Crossing& crossing) {
   const std::function<double()> uniform = uniform_from(p.line.common().seed + static_cast<std::uint64_t>(k));
   const Cloud<RedCell> cloud = cells_in(p, crossing.cells, uniform);
@@ -126,7 +121,7 @@ void cross(const Parameters& p, int k, Crossing& crossing) {
     const Ledger now =
         trace(cloud, Fresnel{p.n_hat}, rays, {.path_length = lengths[j] * p.edge, .threads = threads}).ledger;
     crossing.x[j].push_back(now.x / now.incident);
-    crossing.unaccounted = std::max(crossing.unaccounted, std::abs(whole(now) / now.incident - 1.0));
+    crossing.unaccounted = std::max(crossing.unaccounted, std::abs(now.accounted() / now.incident - 1.0));
   }
   const Ledger end = trace(cloud, Fresnel{p.n_hat}, rays, {.threads = threads}).ledger;
   const Ledger direct = trace(cloud, Fresnel{p.n_hat}, rays, {.most_hits = 0, .threads = threads}).ledger;

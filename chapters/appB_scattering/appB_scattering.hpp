@@ -12,9 +12,6 @@
 #include <cstdint>
 #include <functional>
 
-#include <boost/random/mersenne_twister.hpp>
-#include <boost/random/uniform_01.hpp>
-
 #include <particulate/report/chapter.hpp>
 #include <particulate/report/spread.hpp>
 #include <particulate/scattering/beam.hpp>
@@ -25,6 +22,7 @@ namespace appB {
 
 using namespace particulate;
 using namespace particulate::scattering;
+using kinematics::uniform_from;
 
 using report::between;
 inline constexpr const char* ours = "our choice";
@@ -44,12 +42,6 @@ struct Parameters {
 //! @section appB_beam Cells and their beam
 //!
 //! As in @ref ch09_beam "chapter 9": cells wholly within a cube, a square beam of half its edge.
-
-inline std::function<double()> uniform_from(std::uint64_t seed) {
-  return [engine = boost::random::mt19937_64(seed), uniform = boost::random::uniform_01<double>()]() mutable {
-    return uniform(engine);
-  };
-}
 
 inline kinematics::Box box_of(const Parameters& p) { return {.lengths = Eigen::Vector3d::Constant(p.edge)}; }
 inline Beam beam_of(const Parameters& p) {

@@ -46,8 +46,7 @@ void add(const Ledger& ledger, Series<Law>& to) {
   to.x.push_back(ledger.x / ledger.incident);
   to.forward.push_back(ledger.forward / ledger.incident);
   to.absorbed.push_back(ledger.absorbed / ledger.incident);
-  const double whole = std::accumulate(ledger.left.begin(), ledger.left.end(), ledger.absorbed + ledger.cut_off);
-  to.unaccounted = std::max(to.unaccounted, std::abs(whole / ledger.incident - 1.0));
+  to.unaccounted = std::max(to.unaccounted, std::abs(ledger.accounted() / ledger.incident - 1.0));
 }
 
 //! One cloud serves all laws, and each gets the same rays: their answers differ by the law alone.

@@ -68,10 +68,6 @@ void write_moments(const Traced& traced, const std::vector<Path>& paths, const r
 //! What has become of the power by then is a matter of the ledger, which counts it where it is: on its way in the
 //! cloud, out through a face, or in the scatterers.
 
-double whole(const Ledger& ledger) {
-  return ledger.forward_face() + ledger.backward_face() + ledger.lateral_faces() + ledger.absorbed + ledger.inside;
-}
-
 void write_ledgers(const Parameters& p, const Cloud<Sphere>& cloud, const Rays& rays, report::Chapter& chapter) {
   report::Table table({"path length [m]", "inside", "forward", "backward", "at the sides", "absorbed", "I_x/I(0)"});
   double nowhere_at_all = 0.0, off = 0.0;
@@ -82,7 +78,7 @@ void write_ledgers(const Parameters& p, const Cloud<Sphere>& cloud, const Rays& 
     const double I = now.incident;
     table.add({length, now.inside / I, now.forward_face() / I, now.backward_face() / I, now.lateral_faces() / I,
                now.absorbed / I, now.x / I});
-    nowhere_at_all = std::max(nowhere_at_all, std::abs(whole(now) / I - 1.0));
+    nowhere_at_all = std::max(nowhere_at_all, std::abs(now.accounted() / I - 1.0));
     off = std::max(off, (traced.rays.direction.rowwise().norm().array() - 1.0).abs().maxCoeff());
   }
   chapter.output().write("ledger", table);
@@ -101,12 +97,6 @@ double slant(const Path& path) {
   return (high->place[2] - low->place[2]) / path.back().length;
 }
 
-const Sphere& nearest(const Cloud<Sphere>& cloud, const Eigen::Vector3d& place) {
-  return *std::min_element(cloud.bodies().begin(), cloud.bodies().end(), [&](const Sphere& a, const Sphere& b) {
-    return (a.centre - place).squaredNorm() < (b.centre - place).squaredNorm();
-  });
-}
-
 // A ray comes from outside of the cube, and goes on when it has left.
 void write_paths(const Cloud<Sphere>& cloud, const Traced& traced, std::vector<Path> paths,
                  const report::Output& output) {
@@ -122,8 +112,8 @@ void write_paths(const Cloud<Sphere>& cloud, const Traced& traced, std::vector<P
     turns.add({i, path.front().place[0] - beyond, path.front().place[1], 1.0});
     for (std::size_t k = 0; k < path.size(); ++k) {
       turns.add({i, path[k].place[0], path[k].place[1], path[k].power / path.front().power});
-      if (k == 0 || k + 1 == path.size()) continue;
-      const Sphere& body = nearest(cloud, path[k].place);
+      if (path[k].body < 0) continue;
+      const Sphere& body = cloud.bodies()[static_cast<std::size_t>(path[k].body)];
       const double above = path[k].place[2] - body.centre[2];
       hit.add({body.centre[0], body.centre[1], std::sqrt(std::max(body.radius * body.radius - above * above, 0.0))});
     }

@@ -13,9 +13,6 @@
 #include <cstdint>
 #include <functional>
 
-#include <boost/random/mersenne_twister.hpp>
-#include <boost/random/uniform_01.hpp>
-
 #include <particulate/report/chapter.hpp>
 #include <particulate/report/spread.hpp>
 #include <particulate/scattering/beam.hpp>
@@ -26,6 +23,7 @@ namespace ch09 {
 
 using namespace particulate;
 using namespace particulate::scattering;
+using kinematics::uniform_from;
 
 using report::between;
 inline constexpr const char* ours = "our choice";
@@ -52,13 +50,6 @@ inline constexpr Eigen::Index scatterers = 1000;
 inline const Beam beam{.centre = {0.0, 0.5, 0.5}, .width = 0.5};
 
 inline double radius_of(double L) { return L / std::cbrt(static_cast<double>(scatterers)); }
-
-// Numbers in [0, 1), the same everywhere.
-inline std::function<double()> uniform_from(std::uint64_t seed) {
-  return [engine = boost::random::mt19937_64(seed), uniform = boost::random::uniform_01<double>()]() mutable {
-    return uniform(engine);
-  };
-}
 
 // Where they stand densest, the last ones take many tries.
 inline const kinematics::Addition into_cube{.inside = kinematics::Inside::spheres, .most_attempts = 100000000};

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <numbers>
 #include <numeric>
+#include <random>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
@@ -88,6 +89,10 @@ bool is_free(const Cells& cells, const Space& domain, const Eigen::Vector3d& pla
 }
 
 }  // namespace
+
+std::function<double()> uniform_from(std::uint64_t seed) {
+  return [engine = std::mt19937_64(seed)]() mutable { return static_cast<double>(engine() >> 11) * 0x1p-53; };
+}
 
 double volume_fraction(const Eigen::VectorXd& radius, const Box& box) {
   return 4.0 / 3.0 * std::numbers::pi * radius.array().cube().sum() / box.lengths.prod();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -38,6 +39,12 @@ struct Added {
   long attempts = 0;  ///< places tried, N at least [-]
 };
 
+/// Numbers evenly distributed in [0, 1), with 53 bits each, the same everywhere.
+///
+/// @param seed  another one, other numbers
+/// @return draws the next one
+std::function<double()> uniform_from(std::uint64_t seed);
+
 /// The limit of random sequential addition of equal spheres, 4 pi b^3 N/(3 V), without edges: where space repeats
 /// itself or is large. Source: @cite zhang2013.
 inline constexpr double saturation = 0.3841;
@@ -50,9 +57,7 @@ inline constexpr double saturation = 0.3841;
 /// 1000 centres in a cube near 0.47, as half of a sphere may stick out. Near that each further sphere takes many
 /// attempts: by default 1000 in a periodic cube reach 0.355. Of several sizes, more fit if the largest come first.
 ///
-///     boost::random::mt19937_64 engine(seed);
-///     boost::random::uniform_01<double> uniform;
-///     const Added added = random_addition(b, {.box = {...}}, [&] { return uniform(engine); });
+///     const Added added = random_addition(b, {.box = {...}}, uniform_from(seed));
 ///
 /// @param radius   b_i >= 0 of each sphere, in the order in which they are put, N [m]
 /// @param to       the box, and what counts as inside

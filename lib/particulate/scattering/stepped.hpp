@@ -28,14 +28,14 @@ Fate step_along(const Cloud<B>& cloud, const Law& law, const TraceSettings& boun
                 std::int32_t number, Ray& ray, BlockOfRays& block) {
   Fate fate;
   const double least = bounds.least_share * ray.power;
-  const auto keep = [&] {
-    if (bounds.keeps_paths) block.paths.push_back({number, ray.place, ray.length, ray.power});
+  const auto keep = [&](std::int32_t body) {
+    if (bounds.keeps_paths) block.paths.push_back({number, ray.place, ray.length, ray.power, body});
   };
   const auto go = [&](double distance) {
     ray.place += distance * ray.direction;
     ray.length += distance;
   };
-  keep();
+  keep(-1);
   double next = first;
   std::int32_t last = -1;
   for (;; next = step) {
@@ -55,14 +55,14 @@ Fate step_along(const Cloud<B>& cloud, const Law& law, const TraceSettings& boun
     if (body < 0) continue;
     const Eigen::Vector3d normal = outward_normal(cloud.bodies()[static_cast<std::size_t>(body)], ray.place);
     if (!reflect(law, normal, body, body == last, ray, fate, block)) continue;
+    last = body;
     if (fate.hits > bounds.most_hits || !(ray.power > least)) {
       fate.end = Fate::End::cut_off;
       break;
     }
-    keep();
-    last = body;
+    keep(body);
   }
-  keep();
+  keep(fate.end == Fate::End::cut_off ? last : -1);
   return fate;
 }
 

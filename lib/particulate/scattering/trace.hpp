@@ -14,7 +14,8 @@
 
 namespace particulate::scattering {
 
-/// Rays: where they are, where they go, and the power that each carries.
+/// Rays: where they are, where they go, and the power that each carries. Tracing asks for nothing but shares of it: in
+/// a pulse it is an energy, and all powers below are energies.
 struct Rays {
   kinematics::Vectors place = {};      ///< N x 3 [m]
   kinematics::Vectors direction = {};  ///< unit vectors, N x 3 [-]
@@ -47,6 +48,8 @@ struct Ledger {
   double backward_face() const { return left[static_cast<std::size_t>(Face::x_low)]; }
   /// @return what left at the sides [W]
   double lateral_faces() const { return left[2] + left[3] + left[4] + left[5]; }
+  /// @return all that is somewhere: incident, but for rounding [W]
+  double accounted() const { return forward_face() + backward_face() + lateral_faces() + absorbed + cut_off + inside; }
 };
 
 /// A place of a ray's path.
@@ -55,6 +58,7 @@ struct PathPoint {
   Eigen::Vector3d place;  ///< [m]
   double length;          ///< of the path up to there [m]
   double power;           ///< after the reflection there [W]
+  std::int32_t body;      ///< that it was reflected by there; negative: none
 };
 
 /// Bounds of tracing, and what is kept.
@@ -233,15 +237,16 @@ Fate follow(const Cloud<B>& cloud, const Law& law, const TraceSettings& settings
             BlockOfRays& block) {
   Fate fate;
   const double least = settings.least_share * ray.power;
-  const auto keep = [&] {
-    if (settings.keeps_paths) block.paths.push_back({number, ray.place, ray.length, ray.power});
+  const auto keep = [&](std::int32_t body) {
+    if (settings.keeps_paths) block.paths.push_back({number, ray.place, ray.length, ray.power, body});
   };
   const auto go = [&](double distance) {
     ray.place += distance * ray.direction;
     ray.length += distance;
   };
-  keep();
-  for (std::int32_t left = -1;;) {
+  keep(-1);
+  std::int32_t left = -1;
+  while (true) {
     const auto [distance, body] = cloud.first_hit(ray.place, ray.direction, left);
     const auto [way, face] = body < 0 ? way_out(cloud.box(), ray) : std::pair{distance, Face::x_low};
     if (ray.length + way > settings.path_length) {
@@ -262,9 +267,9 @@ Fate follow(const Cloud<B>& cloud, const Law& law, const TraceSettings& settings
       fate.end = Fate::End::cut_off;
       break;
     }
-    keep();
+    keep(body);
   }
-  keep();
+  keep(fate.end == Fate::End::cut_off ? left : -1);
   return fate;
 }
 

@@ -28,18 +28,26 @@ double heat_flux_slope(const Cooling& law, double theta) {
   return -law.h_c - 4.0 * stefan_boltzmann * law.emissivity * theta * theta * theta;
 }
 
-double equilibrium_temperature(const Cooling& law) {
+double equilibrium_temperature(const Cooling& law, double absorbed) {
   validate(law);
+  if (!(absorbed >= 0.0 && std::isfinite(absorbed))) {
+    throw std::invalid_argument(
+        fmt::format("cooling: what is absorbed must be finite and not negative, got {} W/m^2", absorbed));
+  }
   if (law.h_c == 0.0 && law.emissivity == 0.0) {
     throw std::invalid_argument(
         "cooling: without convection and radiation any temperature stays: give h_c or emissivity");
   }
   double low = std::min(law.theta_o, law.theta_s), high = std::max(law.theta_o, law.theta_s);
-  if (law.h_c == 0.0 || law.emissivity == 0.0) return law.h_c == 0.0 ? law.theta_s : law.theta_o;
+  if (absorbed == 0.0 && (law.h_c == 0.0 || law.emissivity == 0.0)) return law.h_c == 0.0 ? law.theta_s : law.theta_o;
+  // What is absorbed must go, by convection or by radiation: no more than either would take alone.
+  const double convected = law.theta_o + absorbed / law.h_c;
+  const double radiated = law.theta_s + std::pow(absorbed / (stefan_boltzmann * law.emissivity), 0.25);
+  if (absorbed > 0.0) high = std::max(high, std::min(convected, radiated));
   while (true) {
     const double middle = low + 0.5 * (high - low);
     if (!(middle > low && middle < high)) return middle;
-    (heat_flux(law, middle) > 0.0 ? low : high) = middle;
+    (heat_flux(law, middle) + absorbed > 0.0 ? low : high) = middle;
   }
 }
 

@@ -51,13 +51,15 @@ double heat_flux(const Cooling& law, double theta);
 /// @return slope [W/(m^2 K)]
 double heat_flux_slope(const Cooling& law, double theta);
 
-/// The temperature at which nothing flows, between theta_o and theta_s.
+/// The temperature at which a sphere gives away what it absorbs; of one that absorbs nothing it lies between theta_o
+/// and theta_s.
 ///
 /// @equation{D 7.4.2} By bisection, to rounding.
-/// @param law  constants that validate() accepts, with convection or radiation
-/// @return theta [K]
-/// @throws std::invalid_argument if neither acts
-double equilibrium_temperature(const Cooling& law);
+/// @param law       constants that validate() accepts, with convection or radiation
+/// @param absorbed  from elsewhere, per area of its surface, >= 0 and finite [W/m^2]
+/// @return theta, at which heat_flux() is -absorbed [K]
+/// @throws std::invalid_argument if neither acts, and for what cannot be absorbed
+double equilibrium_temperature(const Cooling& law, double absorbed = 0.0);
 
 /// Temperature under convection alone, \f$ \theta_o + (\theta_0 - \theta_o)\, e^{-t/\tau} \f$.
 ///
