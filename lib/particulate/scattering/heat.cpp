@@ -83,7 +83,8 @@ std::vector<HeatJump> heat_jumps(const std::vector<PathPoint>& paths) {
     if (hit.body < 0) continue;
     jumps.push_back({.t = hit.length / speed_of_light, .body = hit.body, .energy = paths[k - 1].power - hit.power});
   }
-  std::stable_sort(jumps.begin(), jumps.end(), [](const HeatJump& a, const HeatJump& b) { return a.t < b.t; });
+  std::sort(jumps.begin(), jumps.end(),
+            [](const HeatJump& a, const HeatJump& b) { return a.t < b.t || (a.t == b.t && a.body < b.body); });
   return jumps;
 }
 

@@ -100,7 +100,7 @@ struct HeatJump {
 ///
 /// @equation{R 9.5} With s the length of the path, and what the ray carries before and after.
 /// @param paths  of rays that carry energies, Traced::paths
-/// @return a jump a hit; of two at the same time that of the earlier ray is first
+/// @return a jump a hit; of two at the same time that of the body with the lower number is first
 std::vector<HeatJump> heat_jumps(const std::vector<PathPoint>& paths);
 
 template <Body B>
