@@ -23,12 +23,8 @@
 #include "ch09_scattering.hpp"
 
 namespace ch09 {
-namespace {
 
-//! Paths are kept as the places where rays turn. Where a ray is between two of them, and after the last, is a matter of
-//! going straight.
-
-using Path = std::vector<PathPoint>;
+//! Of what @ref ch09_way "the pages share": a path, and a ray on it.
 
 std::vector<Path> split(const std::vector<PathPoint>& points, Eigen::Index rays) {
   std::vector<Path> paths(static_cast<std::size_t>(rays));
@@ -36,19 +32,16 @@ std::vector<Path> split(const std::vector<PathPoint>& points, Eigen::Index rays)
   return paths;
 }
 
-struct Moment {
-  Eigen::Vector3d place, direction;
-  double power;
-};
-
-Moment at(const Path& path, const Eigen::Vector3d& last_direction, double length) {
+Moment moment_of(const Path& path, const Rays& at_the_end, double length) {
   const auto next =
       std::find_if(path.begin() + 1, path.end(), [&](const PathPoint& one) { return one.length > length; });
   const PathPoint& from = *(next - 1);
-  const Eigen::Vector3d direction =
-      next == path.end() ? last_direction : Eigen::Vector3d((next->place - from.place).normalized());
-  return {from.place + (length - from.length) * direction, direction, from.power};
+  Eigen::Vector3d velocity = at_the_end.direction.row(from.ray);
+  if (next != path.end()) velocity = (next->place - from.place) / (next->length - from.length);
+  return {from.place + (length - from.length) * velocity, velocity, from.power};
 }
+
+namespace {
 
 void write_moments(const Traced& traced, const std::vector<Path>& paths, const report::Output& output) {
   constexpr int pictures = 48;
@@ -57,8 +50,8 @@ void write_moments(const Traced& traced, const std::vector<Path>& paths, const r
                        "power over that at the start [-]"});
   for (int k = 0; k <= pictures; ++k) {
     for (std::size_t i = 0; i < std::min<std::size_t>(paths.size(), 300); ++i) {
-      const Moment now = at(paths[i], traced.rays.direction.row(static_cast<Eigen::Index>(i)), k * step);
-      table.add({k, k * step, now.place[0], now.place[1], now.place[2], now.direction[0], now.direction[1],
+      const Moment now = moment_of(paths[i], traced.rays, k * step);
+      table.add({k, k * step, now.place[0], now.place[1], now.place[2], now.velocity[0], now.velocity[1],
                  now.power / paths[i].front().power});
     }
   }

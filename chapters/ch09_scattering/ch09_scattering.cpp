@@ -14,6 +14,7 @@
 //! - What does a smooth surface reflect, and what does a whole scatterer? @subpage ch09_reflectance
 //! - What happens to a beam on its way? @subpage ch09_rays
 //! - How much goes on, and how much comes back, against size, shape and material, and for sound? @subpage ch09_clouds
+//! - How warm do scatterers become, and when? @subpage ch09_heat
 //!
 //! Build and run it alone with
 //!
@@ -64,6 +65,7 @@ void run(const Parameters& p, report::Chapter& chapter) {
   reflectance_of_one(chapter);
   progress(p, chapter);
   clouds(p, chapter);
+  heat(p, chapter);
 }
 
 }  // namespace ch09

@@ -5,13 +5,15 @@
 //! @section ch09_parameters Parameters
 //!
 //! Captions of the monograph tell L and n^ of the beam that is watched, and the axes of the ellipsoids. A thousand
-//! scatterers are those of chapter 4; all other numbers are our choice.
+//! scatterers are those of chapter 4; all other numbers are our choice. With the fluence chosen here a
+//! pulse warms the scatterers by a hundred kelvins in the mean.
 
 #pragma once
 
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <vector>
 
 #include <particulate/report/chapter.hpp>
 #include <particulate/report/spread.hpp>
@@ -39,6 +41,10 @@ struct Parameters {
                                  between(0.2, 0.4), "9.6"});
   double& n_hat =
       line.field(10.0, {"n_hat", "ratio of refractive indices of the same, n^", "-", between(1.1, 100.0), "9.6"});
+  double& fluence = line.field(1.70e5, {"fluence", "of a pulse, energy per area", "J/m^2", between(1e4, 1e6), ours});
+  double& irradiance = line.field(1e6, {"irradiance", "of a steady beam", "W/m^2", between(1e4, 1e7), ours});
+  double& rho_c =
+      line.field(2e6, {"rho_c", "heat capacity per volume of the scatterers", "J/(m^3 K)", between(1e6, 4e6), ours});
 };
 
 //! @section ch09_beam The beam and what it meets
@@ -58,6 +64,36 @@ inline Cloud<Sphere> spheres(double L, const std::function<double()>& uniform) {
   return {place_spheres(scatterers, radius_of(L), into_cube, uniform).bodies, {}};
 }
 
+//! Heat makes size matter. Where there is heat, the cube has an edge of one millimetre, and the same numbers from the
+//! same seed put the same cloud into it, smaller. The beam may be a pulse: its rays then carry energies, and fluence
+//! stands for irradiance.
+
+inline constexpr double edge = 1e-3;  // D [m]
+
+inline Beam small_beam(double irradiance) {
+  return {.centre = edge * beam.centre, .width = edge * beam.width, .irradiance = irradiance};
+}
+
+inline Cloud<Sphere> small_spheres(double L, const std::function<double()>& uniform) {
+  kinematics::Addition into = into_cube;
+  into.box.lengths *= edge;
+  return {place_spheres(scatterers, radius_of(L) * edge, into, uniform).bodies, into.box};
+}
+
+//! @section ch09_way Where a ray is
+//!
+//! A path is kept as the places where its ray turns. Where the ray is between two of them, and after the last, is a
+//! matter of going straight.
+
+using Path = std::vector<PathPoint>;
+std::vector<Path> split(const std::vector<PathPoint>& points, Eigen::Index rays);
+
+struct Moment {
+  Eigen::Vector3d place, velocity;  // [m], over that of light [-]
+  double power;
+};
+Moment moment_of(const Path& path, const Rays& at_the_end, double length);
+
 //! Realization k of every question has the same seed, whatever else differs.
 
 inline int realizations_of(const Parameters& p) { return p.line.common().quick ? p.realizations / 5 : p.realizations; }
@@ -70,5 +106,6 @@ inline std::uint64_t seed_of(const Parameters& p, int k) {
 void reflectance_of_one(report::Chapter& chapter);
 void progress(const Parameters& p, report::Chapter& chapter);
 void clouds(const Parameters& p, report::Chapter& chapter);
+void heat(const Parameters& p, report::Chapter& chapter);
 
 }  // namespace ch09
