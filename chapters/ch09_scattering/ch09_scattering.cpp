@@ -14,7 +14,8 @@
 //! - What does a smooth surface reflect, and what does a whole scatterer? @subpage ch09_reflectance
 //! - What happens to a beam on its way? @subpage ch09_rays
 //! - How much goes on, and how much comes back, against size, shape and material, and for sound? @subpage ch09_clouds
-//! - How warm do scatterers become, and when? @subpage ch09_heat
+//! - How warm does a pulse make the scatterers? @subpage ch09_heat
+//! - And how do they cool, or end in a beam that stays on? @subpage ch09_slow_heat
 //!
 //! Build and run it alone with
 //!
@@ -66,6 +67,7 @@ void run(const Parameters& p, report::Chapter& chapter) {
   progress(p, chapter);
   clouds(p, chapter);
   heat(p, chapter);
+  slow_heat(p, chapter);
 }
 
 }  // namespace ch09

@@ -18,6 +18,7 @@
 #include <particulate/report/chapter.hpp>
 #include <particulate/report/spread.hpp>
 #include <particulate/scattering/beam.hpp>
+#include <particulate/scattering/heat.hpp>
 #include <particulate/scattering/placement.hpp>
 #include <particulate/scattering/trace.hpp>
 
@@ -80,6 +81,22 @@ inline Cloud<Sphere> small_spheres(double L, const std::function<double()>& unif
   return {place_spheres(scatterers, radius_of(L) * edge, into, uniform).bodies, into.box};
 }
 
+//! @section ch09_pulse A pulse
+//!
+//! Energies that a pulse brings to the spheres of a cloud, of which all are as warm as what they radiate to.
+
+inline constexpr double theta_0 = 300.0;  // [K]
+inline const thermo::Cooling radiation{.emissivity = 1.0, .theta_s = theta_0};
+
+struct Pulse {
+  Cloud<Sphere> cloud;
+  HeatedBodies bodies;
+  Rays rays;      // before
+  Traced traced;  // with paths
+};
+
+Pulse pulse(const Parameters& p, int k);
+
 //! @section ch09_way Where a ray is
 //!
 //! A path is kept as the places where its ray turns. Where the ray is between two of them, and after the last, is a
@@ -107,5 +124,6 @@ void reflectance_of_one(report::Chapter& chapter);
 void progress(const Parameters& p, report::Chapter& chapter);
 void clouds(const Parameters& p, report::Chapter& chapter);
 void heat(const Parameters& p, report::Chapter& chapter);
+void slow_heat(const Parameters& p, report::Chapter& chapter);
 
 }  // namespace ch09

@@ -238,3 +238,174 @@ do for [k = 0:48] {
   plot by_depth('scatterers') skip 1 using ($3 < 0.5 ? $1 : NaN):2:4 with circles fc rgb '#f0f0f0' lw 0.3, \
        moment(k) using 3:4:8 with points lc palette pt 7 ps 0.6
 }
+unset label
+unset object
+
+# Figures 9.14 and 9.15: spheres below the middle by their temperature, rays as long as their irradiance.
+of_picture(name, k) = sprintf("< awk -F, '$1 == %d' '%s' | sort -t, -k4,4g", k, file(name))
+warmth = "defined (0 '#dfe3e8', 0.02 '#f3e3a8', 0.25 '#f0a020', 0.5 '#e05010', 0.75 '#a01010', 1 '#480008')"
+set autoscale
+stats of_picture('pulse_spheres', 4) using 6 nooutput name 'warm'
+set terminal svg size 640,540 dynamic enhanced font 'sans-serif,16' background '#ffffff' rounded
+set border 3
+set cblabel 'temperature [K]' offset 0.5
+set style fill solid 1.0 border rgb '#b0b0b0'
+set xrange [-0.2:1.2]
+set yrange [-0.1:1.2]
+set xtics nomirror out scale 0.6 0.5
+set ytics nomirror out scale 0.6 0.5
+eval 'set palette '.warmth
+do for [figure in 'hot hot_mean'] {
+  set output 'ch09_'.figure.'.svg'
+  set cbrange [300:figure eq 'hot' ? warm_max : warm_mean]
+  set cbtics figure eq 'hot' ? 200 : 20
+  set multiplot
+  do for [k = 1:4] {
+    set lmargin at screen k % 2 == 1 ? 0.11 : 0.47
+    set rmargin at screen k % 2 == 1 ? 0.45 : 0.81
+    set tmargin at screen k < 3 ? 0.99 : 0.56
+    set bmargin at screen k < 3 ? 0.58 : 0.15
+    set format x k < 3 ? '' : '%g'
+    set format y k % 2 == 1 ? '%g' : ''
+    if (k == 1) { set colorbox user origin 0.835,0.15 size 0.025,0.84 } else { unset colorbox }
+    if (k < 3) { unset xlabel } else { set xlabel 'x/D' }
+    if (k % 2 == 1) { set ylabel 'y/D' offset 1 } else { unset ylabel }
+    set label 1 sprintf('c t = %s D', word('0.15 0.4 0.8 1.4', k)) at graph 0.03, 0.94 front
+    plot of_picture('pulse_spheres', k) using ($4 < 0.5 ? $2 : NaN):3:5:6 with circles fc palette lw 0.3, \
+         of_picture('pulse_rays', k) using 3:4:(0.08*$6*$8):(0.08*$7*$8) with vectors nohead lc rgb '#2070c0' lw 1.4, \
+         of_picture('pulse_rays', k) using 3:4 with points lc rgb '#2070c0' pt 7 ps 0.25
+  }
+  unset multiplot
+}
+unset label
+unset cblabel
+set lmargin -1; set rmargin -1; set tmargin -1; set bmargin -1
+set format '%g'
+
+# Figures 9.16 to 9.18: means over rays and spheres, over an ensemble.
+set grid
+set size noratio
+set xrange [0:3]
+set xtics 0.5
+set ytics auto
+set key outside top center horizontal
+do for [k = 1:2] {
+  set output 'ch09_'.word('motion spent', k).'.svg'
+  set terminal svg size 640,640 dynamic enhanced font 'sans-serif,16' background '#ffffff' rounded
+  set multiplot layout 2,1
+  set lmargin 10
+  unset xlabel
+  set autoscale y
+  if (k == 1) {
+    set ylabel 'mean position of rays/D'
+    plot for [j = 0:2] file('history') skip 1 using 1:(column(2 + j)) with lines lt j + 1 title word('x y z', j + 1)
+    set xlabel 'c t/D'
+    set ylabel 'mean velocity/c'
+    set yrange [-0.4:1.1]
+    plot for [j = 0:3] file('history') skip 1 using 1:(column(5 + j)) with lines lt (j < 3 ? j + 1 : 7) \
+      title word('v_x v_y v_z ||v||', j + 1)
+  } else {
+    set ylabel 'mean irradiance/I(0)'
+    plot for [j = 0:3] file('history') skip 1 using 1:(column(9 + j)) with lines lt (j < 3 ? j + 1 : 7) \
+      title word('I_x I_y I_z ||I||', j + 1)
+    set xlabel 'c t/D'
+    set ylabel 'temperature [K]'
+    set logscale y
+    set yrange [280:2200]
+    set ytics (300, 400, 600, 1000, 1500, 2000)
+    plot file('history') skip 1 using 1:14 with lines lt 2 title 'hottest', '' skip 1 using 1:13 with lines lt 1 title 'mean'
+    unset logscale
+    set ytics auto
+  }
+  unset multiplot
+}
+set lmargin -1
+set autoscale y
+set terminal svg size 640,360 dynamic enhanced font 'sans-serif,16' background '#ffffff' rounded
+set output 'ch09_radiated.svg'
+unset key
+set ylabel 'mean net radiation [W/m^2]' offset 1
+plot file('history') skip 1 using 1:15 with lines lt 1
+
+# After the pulse, and in a steady beam.
+set terminal svg size 640,440 dynamic enhanced font 'sans-serif,16' background '#ffffff' rounded
+set output 'ch09_seconds.svg'
+set key outside top center horizontal
+set logscale xy
+set xrange [1e-3:100]
+set yrange [280:2200]
+set xtics auto
+set format x '10^{%T}'
+set ytics (300, 400, 600, 1000, 1500, 2000)
+set xlabel 't [s]'
+set ylabel 'temperature [K]'
+set label 1 'after the pulse' at 2e-3,1750 tc lt 2
+set label 2 'in the steady beam' at 3,1330 tc lt 1
+plot file('seconds') skip 1 using 1:3 with lines lt 2 title 'hottest', '' skip 1 using 1:5 with lines lt 1 title 'hottest', \
+     '' skip 1 using 1:2 with lines lt 2 dt (8,4) title 'mean', '' skip 1 using 1:4 with lines lt 1 dt (8,4) title 'mean'
+unset label
+unset logscale
+set format '%g'
+set output 'ch09_depth.svg'
+set xrange [0:1]
+set xtics 0.2
+set ytics auto
+set xlabel 'x/D'
+set key top right
+set yrange [250:*]
+plot file('depth') skip 1 using ($2 > 0.25 ? $1 : NaN):3 with points pt 7 ps 0.4 lc rgb '#a0a0a0' title 'beside the beam', \
+     '' skip 1 using ($2 <= 0.25 ? $1 : NaN):3 with points lt 1 title 'in the beam', \
+     '' skip 1 using 1:4 with lines lt 2 title 'a lone sphere'
+
+# Figure 9.11: the balance of a sphere.
+unset tics
+unset border
+unset xlabel
+unset ylabel
+unset key
+unset grid
+set size ratio -1
+set output 'ch09_balance.svg'
+set terminal svg size 640,380 dynamic enhanced font 'sans-serif,16' background '#ffffff' rounded
+set xrange [-5:5]
+set yrange [-2.7:3.2]
+set object 1 circle at 0,0 size 1.6 fc rgb '#f0a020' fs solid border lc rgb '#606060'
+set object 2 circle at 0,0 size 2.0 fs empty border lc rgb '#808080' dt (4,4)
+set arrow 1 from -4.8,1.6*sin(a) to 1.6*cos(a),1.6*sin(a) size 0.25,20 filled lc rgb '#c01818' lw 3
+set arrow 2 from 1.6*cos(a),1.6*sin(a) to 1.6*cos(a) + 2.1*cos(2*a - pi),1.6*sin(a) + 2.1*sin(2*a - pi) size 0.25,20 filled lc rgb '#c01818' lw 1.6
+set arrow 3 from 1.6*cos(a),1.6*sin(a) to 0.8*cos(a),0.8*sin(a) size 0.2,20 filled lc rgb '#c01818' lw 2
+do for [k = 0:3] {
+  b = pi/4 - 0.35*k
+  set arrow 10 + k from 1.75*cos(b),1.75*sin(b) to 2.9*cos(b),2.9*sin(b) size 0.2,20 filled lt 2
+  b = -2.2 - 0.35*k
+  set arrow 20 + k from 1.75*cos(b),1.75*sin(b) to 2.9*cos(b),2.9*sin(b) size 0.2,20 filled lt 1
+}
+set label 1 'I' at -4.0,1.5 tc rgb '#c01818'
+set label 2 'R I' at 1.6*cos(a) + 2.4*cos(2*a - pi),1.6*sin(a) + 2.5*sin(2*a - pi) center tc rgb '#c01818'
+set label 3 '(1 - R) I' at -0.05,0.45 center
+set label 4 'm c dθ/dt' at 0,-0.5 center
+set label 5 'B ε a_s (θ^4 - θ_s^4)' at 3.05,0.3 tc lt 2
+set label 6 'h_c a_s (θ - θ_o)' at -2.2,-2.4 right tc lt 1
+plot NaN
+unset arrow
+unset label
+unset object
+
+# Figure 9.12: a scatterer in the cube that is its own.
+set output 'ch09_length_scale.svg'
+set terminal svg size 640,340 dynamic enhanced font 'sans-serif,16' background '#ffffff' rounded
+set xrange [-0.6:3.6]
+set yrange [-0.35:2.1]
+set style fill solid 1.0 border rgb '#707070'
+do for [k = 0:3] { set arrow k + 1 from k,0 to k,2 nohead lc rgb '#a0a0a0' dt (4,4) }
+do for [k = 0:2] { set arrow 10 + k from 0,k to 3,k nohead lc rgb '#a0a0a0' dt (4,4) }
+do for [k = 0:5] { set object k + 1 circle at 0.5 + k % 3 + word('0.07 -0.1 0.05 0 0.1 -0.06', k + 1), 0.5 + k/3 + word('-0.08 0.05 0.1 0 -0.05 0.08', k + 1) size 0.325 fc rgb '#d8e4f0' fs solid border lc rgb '#707070' }
+set arrow 20 from 0.5,1.5 to 0.5 + 0.325*cos(0.6),1.5 + 0.325*sin(0.6) size 0.06,20 filled lw 1.4 front
+set label 1 'b' at 0.52,1.68 front
+set arrow 21 from 0,-0.12 to 1,-0.12 heads size 0.06,20 filled lw 1.2
+set label 2 '(V/N_p)^{1/3}' at 0.5,-0.28 center
+set label 3 'L = b/(V/N_p)^{1/3}' at 2,-0.28 center
+plot NaN
+unset arrow
+unset label
+unset object
