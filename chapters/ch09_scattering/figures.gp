@@ -238,42 +238,51 @@ do for [k = 0:48] {
   plot by_depth('scatterers') skip 1 using ($3 < 0.5 ? $1 : NaN):2:4 with circles fc rgb '#f0f0f0' lw 0.3, \
        moment(k) using 3:4:8 with points lc palette pt 7 ps 0.6
 }
-unset label
-unset object
 
 # Figures 9.14 and 9.15: spheres below the middle by their temperature, rays as long as their irradiance.
-of_picture(name, k) = sprintf("< awk -F, '$1 == %d' '%s' | sort -t, -k4,4g", k, file(name))
-warmth = "defined (0 '#dfe3e8', 0.02 '#f3e3a8', 0.25 '#f0a020', 0.5 '#e05010', 0.75 '#a01010', 1 '#480008')"
+lit = sprintf("< paste -d, '%s' '%s' | sort -t, -k3,3g", file('scatterers'), file('temperatures'))
 set autoscale
-stats of_picture('pulse_spheres', 4) using 6 nooutput name 'warm'
-set terminal svg size 640,540 dynamic enhanced font 'sans-serif,16' background '#ffffff' rounded
-set border 3
-set cblabel 'temperature [K]' offset 0.5
+stats file('temperatures') skip 1 using 15 nooutput name 'warm'
+set palette defined (0 '#dfe3e8', 0.02 '#f3e3a8', 0.25 '#f0a020', 0.5 '#e05010', 0.75 '#a01010', 1 '#480008')
 set style fill solid 1.0 border rgb '#b0b0b0'
+set cbrange [300:warm_max]
+set xrange [-0.35:1.35]
+set yrange [-0.25:1.25]
+spheres = 'lit skip 1 using ($3 < 0.5 ? $1 : NaN):2:4:(column(5 + k)) with circles fc palette lw 0.3'
+rays = 'moment(2*k) using 3:4:(0.08*$6*$8):(0.08*$7*$8) with vectors nohead lc rgb "#2070c0" lw 1.4, moment(2*k) using 3:4 with points lc rgb "#2070c0" pt 7 ps 0.25'
+set terminal gif animate delay 16 loop 0 size 480,420 font 'sans-serif,12' background '#ffffff'
+set output 'ch09_heat_film.gif'
+do for [k = 0:24] {
+  set label 1 sprintf('c t = %.1f D', 0.1*k) at graph 0.03, 0.96
+  eval 'plot '.spheres.', '.rays
+}
+
+set terminal svg size 640,540 dynamic enhanced font 'sans-serif,16' background '#ffffff' rounded
+unset object
 set xrange [-0.2:1.2]
 set yrange [-0.1:1.2]
+set border 3
 set xtics nomirror out scale 0.6 0.5
 set ytics nomirror out scale 0.6 0.5
-eval 'set palette '.warmth
+set cblabel 'temperature [K]' offset 0.5
 do for [figure in 'hot hot_mean'] {
   set output 'ch09_'.figure.'.svg'
   set cbrange [300:figure eq 'hot' ? warm_max : warm_mean]
   set cbtics figure eq 'hot' ? 200 : 20
   set multiplot
-  do for [k = 1:4] {
-    set lmargin at screen k % 2 == 1 ? 0.11 : 0.47
-    set rmargin at screen k % 2 == 1 ? 0.45 : 0.81
-    set tmargin at screen k < 3 ? 0.99 : 0.56
-    set bmargin at screen k < 3 ? 0.58 : 0.15
-    set format x k < 3 ? '' : '%g'
-    set format y k % 2 == 1 ? '%g' : ''
-    if (k == 1) { set colorbox user origin 0.835,0.15 size 0.025,0.84 } else { unset colorbox }
-    if (k < 3) { unset xlabel } else { set xlabel 'x/D' }
-    if (k % 2 == 1) { set ylabel 'y/D' offset 1 } else { unset ylabel }
-    set label 1 sprintf('c t = %s D', word('0.15 0.4 0.8 1.4', k)) at graph 0.03, 0.94 front
-    plot of_picture('pulse_spheres', k) using ($4 < 0.5 ? $2 : NaN):3:5:6 with circles fc palette lw 0.3, \
-         of_picture('pulse_rays', k) using 3:4:(0.08*$6*$8):(0.08*$7*$8) with vectors nohead lc rgb '#2070c0' lw 1.4, \
-         of_picture('pulse_rays', k) using 3:4 with points lc rgb '#2070c0' pt 7 ps 0.25
+  do for [panel = 1:4] {
+    k = word('2 4 8 14', panel) + 0
+    set lmargin at screen panel % 2 == 1 ? 0.13 : 0.475
+    set rmargin at screen panel % 2 == 1 ? 0.46 : 0.805
+    set tmargin at screen panel < 3 ? 0.99 : 0.56
+    set bmargin at screen panel < 3 ? 0.58 : 0.15
+    set format x panel < 3 ? '' : '%g'
+    set format y panel % 2 == 1 ? '%g' : ''
+    if (panel == 1) { set colorbox user origin 0.835,0.15 size 0.025,0.84 } else { unset colorbox }
+    if (panel < 3) { unset xlabel } else { set xlabel 'x/D' }
+    if (panel % 2 == 1) { set ylabel 'y/D' offset 1 } else { unset ylabel }
+    set label 1 sprintf('c t = %.1f D', 0.1*k) at graph 0.03, 0.94 front
+    eval 'plot '.spheres.', '.rays
   }
   unset multiplot
 }
@@ -324,7 +333,7 @@ set autoscale y
 set terminal svg size 640,360 dynamic enhanced font 'sans-serif,16' background '#ffffff' rounded
 set output 'ch09_radiated.svg'
 unset key
-set ylabel 'mean net radiation [W/m^2]' offset 1
+set ylabel 'mean net radiation [W/m^2]'
 plot file('history') skip 1 using 1:15 with lines lt 1
 
 # After the pulse, and in a steady beam.
