@@ -178,11 +178,15 @@ void write_histories(const std::vector<std::vector<Followed>>& all, const std::v
 //! The hottest of a thousand spheres is an extreme, and with few rays it is one that was hit often by chance. More rays
 //! through the same clouds tell by how much.
 
+std::string with_error(const std::vector<double>& numbers, int digits) {
+  const report::Mean mean = report::mean_of(numbers);
+  return fmt::format("{:.{}f} ± {:.{}f}", mean.value, digits, mean.standard_error, digits);
+}
+
 void write_sampling(const Parameters& p, const report::Output& output) {
-  report::Table table({"rays", "mean rise [K]", "its standard error", "rise of the hottest over the mean rise",
-                       "its standard error [-]"});
+  report::Table table({"rays", "mean rise [K]", "hottest, rise over the mean", "net radiation [W/m^2]"});
   for (const Eigen::Index rays : {1000, 4000, 16000, 64000}) {
-    std::vector<double> mean, hottest;
+    std::vector<double> mean, hottest, radiated;
     for (int k = 0; k < realizations_of(p); ++k) {
       const std::function<double()> uniform = uniform_from(seed_of(p, k));
       const Cloud<Sphere> cloud = small_spheres(p.L, uniform);
@@ -191,9 +195,9 @@ void write_sampling(const Parameters& p, const report::Output& output) {
       const Eigen::ArrayXd rise = traced.absorbed.cwiseQuotient(heated_bodies(cloud, p.rho_c).capacity);
       mean.push_back(rise.mean());
       hottest.push_back(rise.maxCoeff() / rise.mean());
+      radiated.push_back(net_radiation(theta_0 + rise));
     }
-    const report::Mean of_mean = report::mean_of(mean), of_hottest = report::mean_of(hottest);
-    table.add({rays, of_mean.value, of_mean.standard_error, of_hottest.value, of_hottest.standard_error});
+    table.add({rays, with_error(mean, 2), with_error(hottest, 2), with_error(radiated, 0)});
   }
   output.write("sampling", table);
 }
@@ -240,7 +244,7 @@ void heat(const Parameters& p, report::Chapter& chapter) {
 //! time when most have left, the mean velocity is that of straight lines. Each ray is as fast as light throughout,
 //! which the *mean* velocity hides, as it hides how much light there is: \f$ I_x \f$ falls to zero and below while rays
 //! still have a good part of their power. The mean across the beam is zero but for chance, which the standard errors
-//! measure.
+//! measure; those of few clouds are rough themselves.
 //!
 //! Temperatures rise as irradiance falls: what rays lose warms the spheres. The hottest one, at the front, has most of
 //! its heat at once. What spheres radiate goes with the fourth power: most of it comes from a few, and the mean is several
@@ -249,7 +253,8 @@ void heat(const Parameters& p, report::Chapter& chapter) {
 //! @table{ch09_sampling}
 //!
 //! The mean rise needs no more rays than there are at first. The hottest sphere does: with few rays it comes out too
-//! hot, always, and more clouds do not mend that.
+//! hot, always, and more clouds do not mend that. So it is with the mean radiation, whose fourth power prefers spheres
+//! that were hit too often to those that were hit too rarely.
 //!
 //! @section ch09_heat_exercises Exercises
 //!
@@ -259,5 +264,5 @@ void heat(const Parameters& p, report::Chapter& chapter) {
 //!    and what to the hottest? Guess, then try `--n_hat 100`.
 //! 3. Draw the mean net radiation over that of a sphere of the mean temperature, against time. Why does it fall, and to
 //!    what could it fall at best?
-//! 4. How many rays does it take until the hottest sphere is known to one per cent, drawn at random or stratified
-//!    (particulate::scattering::Beam::Points)?
+//! 4. How many rays does it take until the hottest sphere is known to one per cent, drawn at random or in equal parts
+//!    of the beam (particulate::scattering::Beam::Points)?

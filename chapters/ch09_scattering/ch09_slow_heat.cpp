@@ -11,6 +11,7 @@
 //!
 //! @section ch09_slow_program The program
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <vector>
@@ -25,7 +26,7 @@
 namespace ch09 {
 namespace {
 
-//! @section ch09_heat_staggering Why nothing is staggered
+//! @section ch09_slow_staggering Why nothing is staggered
 //!
 //! Fields are solved in turn where they act on each other. Light acts on heat. For heat to act on light, what rays meet
 //! must depend on temperature: the index, the size or the place of a sphere. Here \f$ \hat n \f$ is a constant. The
@@ -160,7 +161,7 @@ void slow_heat(const Parameters& p, report::Chapter& chapter) {
 //!
 //! Spheres at the front get the whole beam, as a lone one does, and are hotter: those behind them send light back. Farther
 //! in each is shaded by those before it, until those at the far end of the beam are hardly warmer than those beside it,
-//! which have nothing but scattered light.
+//! which have little but scattered light.
 //!
 //! @section ch09_slow_exercises Exercises
 //!
