@@ -5,8 +5,8 @@
 //! @section ch09_parameters Parameters
 //!
 //! Captions of the monograph tell L and n^ of the beam that is watched, and the axes of the ellipsoids. A thousand
-//! scatterers are those of chapter 4; all other numbers are our choice. With the fluence chosen here a
-//! pulse warms the scatterers by a hundred kelvins in the mean.
+//! scatterers are those of chapter 4; all other numbers are our choice. The fluence is chosen to warm the
+//! scatterers by about a hundred kelvins in the mean.
 
 #pragma once
 

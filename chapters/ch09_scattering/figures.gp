@@ -375,9 +375,9 @@ unset key
 unset grid
 set size ratio -1
 set output 'ch09_balance.svg'
-set terminal svg size 640,380 dynamic enhanced font 'sans-serif,16' background '#ffffff' rounded
+set terminal svg size 640,430 dynamic enhanced font 'sans-serif,16' background '#ffffff' rounded
 set xrange [-5:5]
-set yrange [-2.7:3.2]
+set yrange [-2.7:4]
 set object 1 circle at 0,0 size 1.6 fc rgb '#f0a020' fs solid border lc rgb '#606060'
 set object 2 circle at 0,0 size 2.0 fs empty border lc rgb '#808080' dt (4,4)
 set arrow 1 from -4.8,1.6*sin(a) to 1.6*cos(a),1.6*sin(a) size 0.25,20 filled lc rgb '#c01818' lw 3
@@ -391,8 +391,8 @@ do for [k = 0:3] {
 }
 set label 1 'I' at -4.0,1.5 tc rgb '#c01818'
 set label 2 'R I' at 1.6*cos(a) + 2.4*cos(2*a - pi),1.6*sin(a) + 2.5*sin(2*a - pi) center tc rgb '#c01818'
-set label 3 '(1 - R) I' at -0.05,0.45 center
-set label 4 'm c dθ/dt' at 0,-0.5 center
+set label 3 '(1 - R) I' at -0.05,0.45 center tc rgb '#202020'
+set label 4 'm c dθ/dt' at 0,-0.5 center tc rgb '#202020'
 set label 5 'B ε a_s (θ^4 - θ_s^4)' at 3.05,0.3 tc lt 2
 set label 6 'h_c a_s (θ - θ_o)' at -2.2,-2.4 right tc lt 1
 plot NaN
