@@ -39,6 +39,16 @@ struct Parameters {
                                  between(0.2, 0.4), "9.6"});
   double& n_hat =
       line.field(10.0, {"n_hat", "ratio of refractive indices of the same, n^", "-", between(1.1, 100.0), "9.6"});
+  double& edge = line.field(1e-3, {"edge", "of a cube whose scatterers get warm", "m", between(1e-4, 1e-2), ours});
+  double& rho_c =
+      line.field(2e6, {"rho_c", "density times specific heat of the same", "J/(m^3 K)", between(1e6, 4e6), ours});
+  double& fluence = line.field(1.7e5, {"fluence", "energy per area of a pulse", "J/m^2", between(1e4, 1e6), ours});
+  int& searches =
+      line.field(10, {"searches", "for the cloud that was seen, a half with --quick", "-", between(4, 20), ours});
+  int& fitted =
+      line.field(6, {"fitted", "clouds that a search averages over, a half with --quick", "-", between(4, 20), ours});
+  int& generations = line.field(8, {"generations", "of a search, before polishing", "-", between(3, 20), ours});
+  int& map = line.field(24, {"map", "points along its edge, half with --quick", "-", between(16, 48), ours});
 };
 
 //! @section ch09_beam The beam and what it meets
@@ -48,6 +58,8 @@ struct Parameters {
 
 inline constexpr Eigen::Index scatterers = 1000;
 inline const Beam beam{.centre = {0.0, 0.5, 0.5}, .width = 0.5};
+
+inline constexpr double theta_0 = 300.0;  // of everything before it gets warm, and of what is around [K]
 
 inline double radius_of(double L) { return L / std::cbrt(static_cast<double>(scatterers)); }
 
@@ -70,5 +82,6 @@ inline std::uint64_t seed_of(const Parameters& p, int k) {
 void reflectance_of_one(report::Chapter& chapter);
 void progress(const Parameters& p, report::Chapter& chapter);
 void clouds(const Parameters& p, report::Chapter& chapter);
+void inverse(const Parameters& p, report::Chapter& chapter);
 
 }  // namespace ch09

@@ -238,3 +238,48 @@ do for [k = 0:48] {
   plot by_depth('scatterers') skip 1 using ($3 < 0.5 ? $1 : NaN):2:4 with circles fc rgb '#f0f0f0' lw 0.3, \
        moment(k) using 3:4:8 with points lc palette pt 7 ps 0.6
 }
+
+# The inverse problem: the map of the cost, and Figure 9.13.
+set output 'ch09_map.svg'
+set terminal svg size 760,420 dynamic enhanced font 'sans-serif,16' background '#ffffff' rounded
+reset
+load style
+those(k, c) = column(1) == k ? column(c) : NaN
+stats file('map') skip 1 using 1 name 'points' nooutput
+edge = sqrt(points_records/2) - 1
+wide = (50/1.5)**(0.5/edge)
+high = 0.15/edge/2
+set style fill solid 1.0 noborder
+set multiplot layout 1,2 margins 0.13,0.87,0.18,0.88 spacing 0.04
+set colorbox user origin 0.89,0.18 size 0.025,0.7
+set logscale xcb
+set cbrange [0.01:1]
+set xrange [1.5/wide:50*wide]
+set yrange [0.25-high:0.4+high]
+set xtics (1.5, 3, 6, 12, 25, 50)
+set xlabel 'n̂'
+set ylabel 'L'
+unset key
+unset grid
+do for [k = 2:3] {
+  set title k == 2 ? 'I_x and mean temperature' : 'and the forward sum'
+  if (k == 3) { unset ylabel; set format y ''; unset colorbox }
+  plot file('map') skip 1 using (those(k, 2)):3:($2/wide):($2*wide):($3-high):($3+high):4 with boxxyerror lc palette, \
+       file('lines') skip 1 using ($4 < 0.1 ? those(k, 2) : NaN):3 with lines lw 1.5 lc rgb '#ffffff', \
+       file('searches') skip 1 using (those(k, 5)):6 with points pt 7 ps 0.9 lc rgb '#000000', \
+       file('searches') skip 1 using (those(k, 5)):6 with points pt 7 ps 0.6 lc rgb '#ffffff', \
+       file('twin') skip 1 using 1:2 with points pt 2 ps 2 lw 3 lc rgb '#00e5ff'
+}
+unset multiplot
+set output 'ch09_generations.svg'
+set terminal svg size 640,400 dynamic enhanced font 'sans-serif,16' background '#ffffff' rounded
+reset
+load style
+set logscale y
+set format y '%g'
+set xlabel 'generation'
+set ylabel 'best cost'
+stats file('courses') skip 1 using 2 name 'search' nooutput
+one(k, s, c) = column(1) == k && column(2) == s ? column(c) : NaN
+plot for [s = 0:search_max] file('courses') skip 1 using (one(2, s, 3)):4 with lines lt 2 dt (6,4) lw 1.2 title s == 0 ? 'two targets' : '', \
+     for [s = 0:search_max] file('courses') skip 1 using (one(3, s, 3)):4 with linespoints lt 1 pt 7 ps 0.4 lw 1.2 title s == 0 ? 'three targets' : ''
