@@ -240,10 +240,10 @@ do for [k = 0:48] {
 }
 
 # The inverse problem: the map of the cost, and Figure 9.13.
-set output 'ch09_map.svg'
-set terminal svg size 760,420 dynamic enhanced font 'sans-serif,16' background '#ffffff' rounded
 reset
 load style
+set output 'ch09_map.svg'
+set terminal svg size 760,420 dynamic enhanced font 'sans-serif,16' background '#ffffff' rounded
 those(k, c) = column(1) == k ? column(c) : NaN
 stats file('map') skip 1 using 1 name 'points' nooutput
 edge = sqrt(points_records/2) - 1
@@ -258,12 +258,13 @@ set xrange [1.5/wide:50*wide]
 set yrange [0.25-high:0.4+high]
 set xtics (1.5, 3, 6, 12, 25, 50)
 set xlabel 'n̂'
-set ylabel 'L'
 unset key
 unset grid
 do for [k = 2:3] {
   set title k == 2 ? 'I_x and mean temperature' : 'and the forward sum'
-  if (k == 3) { unset ylabel; set format y ''; unset colorbox }
+  set ylabel (k == 2 ? 'L' : '')
+  set format y k == 2 ? '%g' : ''
+  if (k == 3) { unset colorbox }
   plot file('map') skip 1 using (those(k, 2)):3:($2/wide):($2*wide):($3-high):($3+high):4 with boxxyerror lc palette, \
        file('lines') skip 1 using ($4 < 0.1 ? those(k, 2) : NaN):3 with lines lw 1.5 lc rgb '#ffffff', \
        file('searches') skip 1 using (those(k, 5)):6 with points pt 7 ps 0.9 lc rgb '#000000', \
@@ -271,10 +272,9 @@ do for [k = 2:3] {
        file('twin') skip 1 using 1:2 with points pt 2 ps 2 lw 3 lc rgb '#00e5ff'
 }
 unset multiplot
-set output 'ch09_generations.svg'
-set terminal svg size 640,400 dynamic enhanced font 'sans-serif,16' background '#ffffff' rounded
 reset
 load style
+set output 'ch09_generations.svg'
 set logscale y
 set format y '%g'
 set xlabel 'generation'
