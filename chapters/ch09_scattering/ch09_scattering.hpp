@@ -44,11 +44,9 @@ struct Parameters {
       line.field(2e6, {"rho_c", "density times specific heat of the same", "J/(m^3 K)", between(1e6, 4e6), ours});
   double& fluence = line.field(1.7e5, {"fluence", "energy per area of a pulse", "J/m^2", between(1e4, 1e6), ours});
   int& searches =
-      line.field(10, {"searches", "for the cloud that was seen, a half with --quick", "-", between(4, 20), ours});
+      line.field(10, {"searches", "for the cloud that was seen, two fifths with --quick", "-", between(5, 20), ours});
   int& fitted =
-      line.field(6, {"fitted", "clouds that a search averages over, a half with --quick", "-", between(4, 20), ours});
-  int& generations = line.field(8, {"generations", "of a search, before polishing", "-", between(3, 20), ours});
-  int& map = line.field(24, {"map", "points along its edge, half with --quick", "-", between(16, 48), ours});
+      line.field(6, {"fitted", "clouds that a search averages over, a third with --quick", "-", between(6, 24), ours});
 };
 
 //! @section ch09_beam The beam and what it meets
