@@ -54,8 +54,8 @@ namespace ch09 {
 
 Pulse pulse(const Parameters& p, int k) {
   const std::function<double()> uniform = uniform_from(seed_of(p, k));
-  const Cloud<Sphere> cloud = small_spheres(p.L, uniform);
-  const Rays rays = rays_of(small_beam(p.fluence), p.rays, uniform);
+  const Cloud<Sphere> cloud = small_spheres(p, uniform);
+  const Rays rays = rays_of(small_beam(p, p.fluence), p.rays, uniform);
   return {cloud, heated_bodies(cloud, p.rho_c, radiation), rays,
           trace(cloud, Fresnel{p.n_hat}, rays, {.keeps_paths = true, .threads = p.line.common().threads})};
 }
@@ -84,11 +84,11 @@ Eigen::VectorXd warm(const Pulse& pulse, const std::vector<double>& ways, const 
 //! are the rays. Rounding, which each hit makes many times larger, tells the two apart after a dozen hits, when next to
 //! nothing is left of a ray.
 
-void write_temperatures(const Pulse& pulse, const report::Output& output) {
+void write_temperatures(const Parameters& p, const Pulse& pulse, const report::Output& output) {
   std::vector<double> ways;
   std::vector<std::string> columns;
   for (int k = 0; k < 25; ++k) {
-    ways.push_back(0.1 * k * edge);
+    ways.push_back(0.1 * k * p.edge);
     columns.push_back(fmt::format("temperature at c t = {:.1f} D [K]", 0.1 * k));
   }
   std::vector<Eigen::VectorXd> theta;
@@ -131,7 +131,7 @@ double net_radiation(const Eigen::VectorXd& theta) {
 }
 
 // A row a way.
-std::vector<Followed> history(const Pulse& pulse, const std::vector<double>& ways) {
+std::vector<Followed> history(const Parameters& p, const Pulse& pulse, const std::vector<double>& ways) {
   const std::vector<Path> paths = split(pulse.traced.paths, pulse.rays.size());
   std::vector<Followed> rows;
   warm(pulse, ways, [&](std::size_t k, const Eigen::VectorXd& theta) {
@@ -140,8 +140,8 @@ std::vector<Followed> history(const Pulse& pulse, const std::vector<double>& way
       const Moment now = moment_of(path, pulse.traced.rays, ways[k]);
       const double share = now.power / path.front().power, speed = now.velocity.norm();
       Followed one = Followed::Zero();
-      one.head<11>() << now.place.transpose() / edge, now.velocity.transpose(), speed, share * now.velocity.transpose(),
-          share * speed;
+      one.head<11>() << now.place.transpose() / p.edge, now.velocity.transpose(), speed,
+          share * now.velocity.transpose(), share * speed;
       sums += one;
     }
     rows.push_back(sums / static_cast<double>(paths.size()));
@@ -150,8 +150,8 @@ std::vector<Followed> history(const Pulse& pulse, const std::vector<double>& way
   return rows;
 }
 
-void write_histories(const std::vector<std::vector<Followed>>& all, const std::vector<double>& ways,
-                     const report::Output& output) {
+void write_histories(const Parameters& p, const std::vector<std::vector<Followed>>& all,
+                     const std::vector<double>& ways, const report::Output& output) {
   const auto mean = [&](std::size_t k, std::size_t q) {
     std::vector<double> numbers;
     for (const std::vector<Followed>& one : all) numbers.push_back(one[k][static_cast<Eigen::Index>(q)]);
@@ -161,7 +161,7 @@ void write_histories(const std::vector<std::vector<Followed>>& all, const std::v
   columns.insert(columns.end(), followed.begin(), followed.end());
   report::Table against_time(columns), numbers({"mean", "at c t = D/4", "D/2", "D", "3 D", "standard error then"});
   for (std::size_t k = 0; k < ways.size(); ++k) {
-    std::vector<report::Cell> row{ways[k] / edge};
+    std::vector<report::Cell> row{ways[k] / p.edge};
     for (std::size_t q = 0; q < followed.size(); ++q) row.emplace_back(mean(k, q).value);
     against_time.add(row);
   }
@@ -189,8 +189,8 @@ void write_sampling(const Parameters& p, const report::Output& output) {
     std::vector<double> mean, hottest, radiated;
     for (int k = 0; k < realizations_of(p); ++k) {
       const std::function<double()> uniform = uniform_from(seed_of(p, k));
-      const Cloud<Sphere> cloud = small_spheres(p.L, uniform);
-      const Traced traced = trace(cloud, Fresnel{p.n_hat}, rays_of(small_beam(p.fluence), rays, uniform),
+      const Cloud<Sphere> cloud = small_spheres(p, uniform);
+      const Traced traced = trace(cloud, Fresnel{p.n_hat}, rays_of(small_beam(p, p.fluence), rays, uniform),
                                   {.threads = p.line.common().threads});
       const Eigen::ArrayXd rise = traced.absorbed.cwiseQuotient(heated_bodies(cloud, p.rho_c).capacity);
       mean.push_back(rise.mean());
@@ -206,12 +206,12 @@ void write_sampling(const Parameters& p, const report::Output& output) {
 
 void heat(const Parameters& p, report::Chapter& chapter) {
   std::vector<double> ways;
-  for (int k = 0; k <= 60; ++k) ways.push_back(0.05 * k * edge);
+  for (int k = 0; k <= 60; ++k) ways.push_back(0.05 * k * p.edge);
   std::vector<std::vector<Followed>> histories;
   double energy_off = 0.0, jumps_off = 0.0, speed_off = 0.0;
   for (int k = 0; k < realizations_of(p); ++k) {
     const Pulse one = pulse(p, k);
-    histories.push_back(history(one, ways));
+    histories.push_back(history(p, one, ways));
     for (const Followed& row : histories.back()) speed_off = std::max(speed_off, std::abs(row[6] - 1.0));
     const Eigen::VectorXd cold = start(one.bodies, theta_0).y, theta = warm(one, {nowhere}, [](auto&&...) {});
     const double lost = one.rays.power.sum() - one.traced.rays.power.sum();
@@ -219,8 +219,8 @@ void heat(const Parameters& p, report::Chapter& chapter) {
     const Eigen::ArrayXd at_once = warmed_by(one.bodies, cold, one.traced.absorbed);
     jumps_off = std::max(jumps_off, (theta.array() / at_once - 1.0).abs().maxCoeff());
   }
-  write_histories(histories, ways, chapter.output());
-  write_temperatures(pulse(p, 0), chapter.output());
+  write_histories(p, histories, ways, chapter.output());
+  write_temperatures(p, pulse(p, 0), chapter.output());
   write_sampling(p, chapter.output());
   report::Checks& checks = chapter.claims("checks");
   checks.add("pulse: heat of all spheres over the energy that rays have lost, less 1", energy_off, 1e-12);

@@ -16,6 +16,7 @@
 //! - How much goes on, and how much comes back, against size, shape and material, and for sound? @subpage ch09_clouds
 //! - How warm does a pulse make the scatterers? @subpage ch09_heat
 //! - And how do they cool, or end in a beam that stays on? @subpage ch09_slow_heat
+//! - Which cloud answers a beam as this one did? @subpage ch09_inverse
 //!
 //! Build and run it alone with
 //!
@@ -68,6 +69,7 @@ void run(const Parameters& p, report::Chapter& chapter) {
   clouds(p, chapter);
   heat(p, chapter);
   slow_heat(p, chapter);
+  inverse(p, chapter);
 }
 
 }  // namespace ch09

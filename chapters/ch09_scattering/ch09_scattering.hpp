@@ -42,10 +42,15 @@ struct Parameters {
                                  between(0.2, 0.4), "9.6"});
   double& n_hat =
       line.field(10.0, {"n_hat", "ratio of refractive indices of the same, n^", "-", between(1.1, 100.0), "9.6"});
-  double& fluence = line.field(1.70e5, {"fluence", "of a pulse, energy per area", "J/m^2", between(1e4, 1e6), ours});
-  double& irradiance = line.field(1e6, {"irradiance", "of a steady beam", "W/m^2", between(1e4, 1e7), ours});
+  double& edge = line.field(1e-3, {"edge", "of a cube whose scatterers get warm", "m", between(1e-4, 1e-2), ours});
   double& rho_c =
-      line.field(2e6, {"rho_c", "heat capacity per volume of the scatterers", "J/(m^3 K)", between(1e6, 4e6), ours});
+      line.field(2e6, {"rho_c", "density times specific heat of the same", "J/(m^3 K)", between(1e6, 4e6), ours});
+  double& fluence = line.field(1.7e5, {"fluence", "energy per area of a pulse", "J/m^2", between(1e4, 1e6), ours});
+  double& irradiance = line.field(1e6, {"irradiance", "of a steady beam", "W/m^2", between(1e4, 1e7), ours});
+  int& searches =
+      line.field(10, {"searches", "for the cloud that was seen, two fifths with --quick", "-", between(5, 20), ours});
+  int& fitted =
+      line.field(6, {"fitted", "clouds that a search averages over, a third with --quick", "-", between(6, 24), ours});
 };
 
 //! @section ch09_beam The beam and what it meets
@@ -55,6 +60,8 @@ struct Parameters {
 
 inline constexpr Eigen::Index scatterers = 1000;
 inline const Beam beam{.centre = {0.0, 0.5, 0.5}, .width = 0.5};
+
+inline constexpr double theta_0 = 300.0;  // of everything before it gets warm, and of what is around [K]
 
 inline double radius_of(double L) { return L / std::cbrt(static_cast<double>(scatterers)); }
 
@@ -69,23 +76,20 @@ inline Cloud<Sphere> spheres(double L, const std::function<double()>& uniform) {
 //! same seed put the same cloud into it, smaller. The beam may be a pulse: its rays then carry energies, and fluence
 //! stands for irradiance.
 
-inline constexpr double edge = 1e-3;  // D [m]
-
-inline Beam small_beam(double irradiance) {
-  return {.centre = edge * beam.centre, .width = edge * beam.width, .irradiance = irradiance};
+inline Beam small_beam(const Parameters& p, double irradiance) {
+  return {.centre = p.edge * beam.centre, .width = p.edge * beam.width, .irradiance = irradiance};
 }
 
-inline Cloud<Sphere> small_spheres(double L, const std::function<double()>& uniform) {
+inline Cloud<Sphere> small_spheres(const Parameters& p, const std::function<double()>& uniform) {
   kinematics::Addition into = into_cube;
-  into.box.lengths *= edge;
-  return {place_spheres(scatterers, radius_of(L) * edge, into, uniform).bodies, into.box};
+  into.box.lengths *= p.edge;
+  return {place_spheres(scatterers, radius_of(p.L) * p.edge, into, uniform).bodies, into.box};
 }
 
 //! @section ch09_pulse A pulse
 //!
 //! Energies that a pulse brings to the spheres of a cloud, of which all are as warm as what they radiate to.
 
-inline constexpr double theta_0 = 300.0;  // [K]
 inline const thermo::Cooling radiation{.emissivity = 1.0, .theta_s = theta_0};
 
 struct Pulse {
@@ -125,5 +129,6 @@ void progress(const Parameters& p, report::Chapter& chapter);
 void clouds(const Parameters& p, report::Chapter& chapter);
 void heat(const Parameters& p, report::Chapter& chapter);
 void slow_heat(const Parameters& p, report::Chapter& chapter);
+void inverse(const Parameters& p, report::Chapter& chapter);
 
 }  // namespace ch09

@@ -26,7 +26,7 @@
 namespace ch09 {
 namespace {
 
-//! @section ch09_slow_staggering Why nothing is staggered
+//! @section ch09_heat_staggering Why nothing is staggered
 //!
 //! Fields are solved in turn where they act on each other. Light acts on heat. For heat to act on light, what rays meet
 //! must depend on temperature: the index, the size or the place of a sphere. Here \f$ \hat n \f$ is a constant. The
@@ -55,11 +55,11 @@ double cooling_time(const HeatedBodies& bodies, double theta) {
   return -bodies.capacity[0] * (theta - theta_0) / (bodies.surface[0] * thermo::heat_flux(radiation, theta));
 }
 
-void write_times(const Pulse& pulse, const Eigen::VectorXd& theta, const report::Output& output) {
+void write_times(const Parameters& p, const Pulse& pulse, const Eigen::VectorXd& theta, const report::Output& output) {
   double longest = 0.0;
   for (const PathPoint& one : pulse.traced.paths) longest = std::max(longest, one.length);
   report::Table table({"what takes the time", "time [s]"});
-  table.add({"light, to cross the cube", edge / speed_of_light});
+  table.add({"light, to cross the cube", p.edge / speed_of_light});
   table.add({"the last ray, to leave it", longest / speed_of_light});
   table.add({"the hottest sphere, to cool", cooling_time(pulse.bodies, theta.maxCoeff())});
   table.add({"a sphere of the mean temperature, to cool", cooling_time(pulse.bodies, theta.mean())});
@@ -92,7 +92,7 @@ std::vector<Eigen::VectorXd> temperatures(const HeatedBodies& bodies, const Eige
 //! and not by chance.
 
 HeatedBodies lit(const Parameters& p, const Pulse& pulse) {
-  Beam steady = small_beam(p.irradiance);
+  Beam steady = small_beam(p, p.irradiance);
   steady.points = Beam::Points::stratified;
   const Rays rays = rays_of(steady, 250 * 250, uniform_from(seed_of(p, 0)));
   HeatedBodies bodies = pulse.bodies;
@@ -111,7 +111,7 @@ void write_depth(const Parameters& p, const Cloud<Sphere>& cloud, const Eigen::V
   report::Table table({"x/D", "from the middle of the beam, the larger of y and z, over D", "temperature [K]",
                        "that of a lone sphere [K]"});
   for (Eigen::Index i = 0; i < theta.size(); ++i) {
-    const Eigen::Vector3d centre = cloud.bodies()[static_cast<std::size_t>(i)].centre / edge;
+    const Eigen::Vector3d centre = cloud.bodies()[static_cast<std::size_t>(i)].centre / p.edge;
     table.add({centre[0], (centre.tail<2>().array() - 0.5).abs().maxCoeff(), theta[i], lone});
   }
   chapter.output().write("depth", table);
@@ -126,7 +126,7 @@ void slow_heat(const Parameters& p, report::Chapter& chapter) {
   const HeatedBodies steady = lit(p, first);
   const Eigen::VectorXd cold = start(first.bodies, theta_0).y;
   const Eigen::VectorXd warm = warmed_by(first.bodies, cold, first.traced.absorbed);
-  write_times(first, warm, chapter.output());
+  write_times(p, first, warm, chapter.output());
   std::vector<double> times;
   for (int k = 0; k <= 60; ++k) times.push_back(std::pow(10.0, 0.1 * k - 3.0));
   const auto cooling = temperatures(first.bodies, warm, times), heating = temperatures(steady, cold, times);

@@ -41,17 +41,12 @@ Misfit::Misfit(std::vector<Wanted> wanted, SampledModel model)
   shares_ /= shares_.sum();
 }
 
-Eigen::VectorXd Misfit::numbers(const Eigen::VectorXd& parameters) const {
-  Eigen::VectorXd found = model_(parameters);
+Eigen::VectorXd Misfit::misfits(const Eigen::VectorXd& found) const {
   if (found.size() != 0 && found.size() != shares_.size()) {
     throw std::invalid_argument(
         fmt::format("the model must give a number for each of {} that are wanted, or none at all, got {}",
                     shares_.size(), found.size()));
   }
-  return found;
-}
-
-Eigen::VectorXd Misfit::misfits(const Eigen::VectorXd& found) const {
   Eigen::VectorXd misfits(found.size());
   for (Eigen::Index k = 0; k < found.size(); ++k) {
     const Wanted& wanted = wanted_[static_cast<std::size_t>(k)];
@@ -60,20 +55,22 @@ Eigen::VectorXd Misfit::misfits(const Eigen::VectorXd& found) const {
   return misfits;
 }
 
-Value Misfit::operator()(const Eigen::VectorXd& parameters) const {
-  const Eigen::VectorXd found = numbers(parameters);
-  if (found.size() == 0) return Value(std::string("the model has no value"));
-  return misfits(found).cwiseAbs().dot(shares_);
+Value Misfit::of(const Eigen::VectorXd& found) const {
+  const Eigen::VectorXd off = misfits(found);
+  if (off.size() == 0) return Value(std::string("the model has no value"));
+  return off.cwiseAbs().dot(shares_);
 }
 
+Value Misfit::operator()(const Eigen::VectorXd& parameters) const { return of(model_(parameters)); }
+
 Eigen::VectorXd Misfit::residuals(const Eigen::VectorXd& parameters) const {
-  const Eigen::VectorXd found = numbers(parameters);
-  if (found.size() == 0) return {};
-  return misfits(found).cwiseProduct(shares_.cwiseSqrt());
+  const Eigen::VectorXd off = misfits(model_(parameters));
+  if (off.size() == 0) return {};
+  return off.cwiseProduct(shares_.cwiseSqrt());
 }
 
 std::vector<Reached> Misfit::reached(const Eigen::VectorXd& parameters) const {
-  const Eigen::VectorXd found = numbers(parameters), off = misfits(found);
+  const Eigen::VectorXd found = model_(parameters), off = misfits(found);
   std::vector<Reached> all;
   for (Eigen::Index k = 0; k < found.size(); ++k) {
     const Wanted& wanted = wanted_[static_cast<std::size_t>(k)];

@@ -43,6 +43,12 @@ class Misfit {
   /// @return the weighted mean of the misfits' sizes, or why there is none [-]
   /// @throws std::invalid_argument if the model gives another number of numbers
   Value operator()(const Eigen::VectorXd& parameters) const;
+  /// The same of numbers that are known already.
+  ///
+  /// @param found  one for each that is wanted, in their order; none: no value
+  /// @return as above
+  /// @throws std::invalid_argument for another number of numbers
+  Value of(const Eigen::VectorXd& found) const;
   /// Misfits times the root of their shares: the sum of their squares is the cost with squares for sizes.
   ///
   /// @param parameters  of which they are asked
@@ -56,7 +62,6 @@ class Misfit {
 
  private:
   Eigen::VectorXd misfits(const Eigen::VectorXd& found) const;
-  Eigen::VectorXd numbers(const Eigen::VectorXd& parameters) const;
 
   std::vector<Wanted> wanted_;
   SampledModel model_;
