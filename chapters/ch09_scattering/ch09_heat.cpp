@@ -31,8 +31,8 @@
 //!
 //! Rays know no lengths, and the cloud of the other pages may be of any size. Heat does: a sphere is warmed as its
 //! shadow is large, and holds heat as its volume is. A pulse of fluence H warms a lone sphere by
-//! \f$ 3\,(1 - F)\,H/(4\,\varrho\,c\,b) \f$, with F of @ref ch09_one_results "one scatterer". The edge of the cube is
-//! now one millimetre.
+//! \f$ 3\,(1 - F)\,H/(4\,\varrho\,c\,b) \f$, with F of @ref ch09_one_results "one scatterer". The cube now has
+//! an @ref ch09_parameters "edge", D.
 //!
 //! @section ch09_heat_program The program
 

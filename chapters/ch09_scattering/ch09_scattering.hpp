@@ -72,8 +72,8 @@ inline Cloud<Sphere> spheres(double L, const std::function<double()>& uniform) {
   return {place_spheres(scatterers, radius_of(L), into_cube, uniform).bodies, {}};
 }
 
-//! Heat makes size matter. Where there is heat, the cube has an edge of one millimetre, and the same numbers from the
-//! same seed put the same cloud into it, smaller. The beam may be a pulse: its rays then carry energies, and fluence
+//! Heat makes size matter. Where there is heat, the cube has the edge that the parameters say, and the same numbers from
+//! the same seed put the same cloud into it, smaller. The beam may be a pulse: its rays then carry energies, and fluence
 //! stands for irradiance.
 
 inline Beam small_beam(const Parameters& p, double irradiance) {
