@@ -43,6 +43,11 @@ struct Linear {
   }
 };
 
+// The same in as many values as there are, of which it may be said that none acts on another.
+struct Apart : Linear {
+  Bandwidth bandwidth() const { return {}; }
+};
+
 const Eigen::VectorXd one = Eigen::VectorXd::Ones(1);
 const Eigen::MatrixXd backward_euler = Eigen::MatrixXd::Ones(1, 1);
 
@@ -149,6 +154,17 @@ BOOST_AUTO_TEST_CASE(takes_a_jacobian_anew_for_another_number_of_unknowns) {
     BOOST_TEST(newton.solve(ones).rows() == n);
   }
   BOOST_TEST(problem.jacobians == 4);
+}
+
+BOOST_AUTO_TEST_CASE(solves_for_no_unknown) {
+  Apart problem;
+  const Eigen::VectorXd none(0);
+  for (const bool sparse : {false, true}) {
+    NewtonSteps newton(sparse);
+    BOOST_TEST(newton.prepare(problem, State{.t = 0.0, .y = none}, 0.5, {.A = backward_euler, .sizes = none}));
+    BOOST_TEST(newton.solve(none).size() == 0);
+    BOOST_TEST(newton.filtered(none, 0.5).size() == 0);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(has_no_system_where_the_jacobian_is_not_finite) {

@@ -239,10 +239,12 @@ struct NewtonSteps::Factors {
     dense.emplace_back().compute(system<Eigen::MatrixXcd>(by, shift));
   }
   void add(const Derivatives<SparseJacobian>& by, Complex shift) {
+    const SparseComplex of = system<SparseComplex>(by, shift);
     sparse.push_back(std::make_unique<Eigen::SparseLU<SparseComplex>>());
-    sparse.back()->compute(system<SparseComplex>(by, shift));
+    if (of.cols() > 0) sparse.back()->compute(of);  // which divides by the number of columns
   }
   Eigen::VectorXcd solve(std::size_t i, const Eigen::VectorXcd& right) const {
+    if (right.size() == 0) return right;
     if (!dense.empty()) return dense[i].solve(right);
     if (sparse[i]->info() == Eigen::Success) return sparse[i]->solve(right);
     return Eigen::VectorXcd::Constant(right.size(), std::numeric_limits<double>::quiet_NaN());
