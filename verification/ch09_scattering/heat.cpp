@@ -344,7 +344,7 @@ const Case cloud_rise{
      .equation = "R 9.5",
      .reference = Reference::independent_method},
     [](Rows& rows) {
-      const int realizations = rows.quick() ? 20 : 100;
+      const int realizations = rows.quick() ? 12 : 100;
       const Eigen::Index many = rows.quick() ? 20000 : 40000;
       std::vector<double> mean, few_hottest, hottest;
       for (int k = 0; k < realizations; ++k) {
