@@ -1,5 +1,7 @@
 #include <particulate/identification/misfit.hpp>
 
+#include <cmath>
+
 #include "close.hpp"
 #include "says.hpp"
 
