@@ -12,12 +12,9 @@
 
 #include <harness/case.hpp>
 #include <harness/endings.hpp>
-#include <harness/motions.hpp>
-#include <harness/uniform.hpp>
 #include <particulate/scattering/beam.hpp>
-#include <particulate/scattering/heat.hpp>
-#include <particulate/schemes/collocation.hpp>
-#include <particulate/schemes/error_control.hpp>
+
+#include "heated.hpp"
 
 namespace verification::heat_extremes {
 
@@ -44,10 +41,8 @@ HeatedBodies lone_in_beam(double irradiance, double b = 1e-3, const thermo::Cool
   return bodies;
 }
 
-schemes::State run(const HeatedBodies& bodies, schemes::State state, double t) {
-  reach(bodies, state, t, schemes::Collocation<schemes::Radau<3>, schemes::Newton<schemes::SparseStages>>(),
-        schemes::ErrorControl{.TOL = 1e-10, .sweep_TOL = 1e-11});
-  return state;
+schemes::State run(const HeatedBodies& bodies, const schemes::State& from, double t) {
+  return heated(bodies, from, t, 1e-10);
 }
 double after(const HeatedBodies& bodies, double theta_0, double t) {
   return run(bodies, start(bodies, theta_0), t).y[0];
