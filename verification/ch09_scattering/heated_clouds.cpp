@@ -121,10 +121,10 @@ const Case jump_by_jump{
         const Eigen::VectorXd cold = start(bodies, 300.0).y;
         for (const Tracer& tracer : tracers) {
           const std::vector<HeatJump> jumps =
-              heat_jumps(traced_by(tracer, cloud, rays, {.least_share = 1e-3, .keeps_paths = true}).paths);
+              heat_jumps(traced_by(tracer, cloud, rays, {.least_share = 0.2, .keeps_paths = true}).paths);
           double off = 0.0;
           for (const double length : {0.31 * edge_of_cube, 0.77 * edge_of_cube, 1e9 * edge_of_cube}) {
-            const Traced stopped = traced_by(tracer, cloud, rays, {.least_share = 1e-3, .path_length = length});
+            const Traced stopped = traced_by(tracer, cloud, rays, {.least_share = 0.2, .path_length = length});
             const Eigen::VectorXd theta = warmed_by(bodies, cold, stopped.absorbed);
             off = std::max(off, (theta - after_jumps(bodies, cold, jumps, length / 299792458.0)).cwiseAbs().maxCoeff());
           }
