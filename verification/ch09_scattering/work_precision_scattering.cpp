@@ -1,11 +1,11 @@
 // Error against run time of a lone sphere's I_x, exact tracing of more and more rays, stepped tracing in smaller and
 // smaller steps; and of the mean temperature of a cloud.
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <vector>
@@ -162,11 +162,13 @@ const Case mean_temperature{
                     .computed = fitted_order(settings, random),
                     .tolerance = absolute(0.4),
                     .because = "two standard errors of a slope through points of sixteen seeds each"});
-      rows.at_most("largest error of stratified rays over that of as many random ones",
-                   {.limit = 1.0,
-                    .computed = *std::max_element(stratified.begin(), stratified.end()) /
-                                *std::max_element(random.begin(), random.end()),
-                    .because = "their variance lacks that between the parts of the beam"});
+      const auto size = [](const std::vector<double>& all) {
+        return std::sqrt(std::inner_product(all.begin(), all.end(), all.begin(), 0.0));
+      };
+      rows.at_most("errors of stratified rays over those of as many random ones",
+                   {.limit = 0.9,
+                    .computed = size(stratified) / size(random),
+                    .because = "their variance lacks that between the parts of the beam; a tenth is left to luck"});
     }};
 
 }  // namespace verification::work_precision_scattering
