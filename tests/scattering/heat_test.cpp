@@ -181,8 +181,8 @@ BOOST_AUTO_TEST_CASE(come_in_the_order_of_their_times_then_of_their_bodies) {
   BOOST_TEST(heat_jumps({}).empty());
 }
 
-// A ray of 2 J to and fro between two balls, of which each takes 8/9 of it, is cut off at the second hit: after 0.31 and
-// 0.4 m more. In steps of 0.05 m it lies inside of them after 0.35 and 0.45 m more.
+// A ray of 2 J to and fro between two balls, of which each takes 8/9 of it, is cut off at the second hit: after 0.31
+// and 0.4 m more. In steps of 0.05 m it lies inside of them after 0.35 and 0.45 m more.
 BOOST_AUTO_TEST_CASE(hold_the_hit_at_which_a_ray_is_cut_off) {
   const Cloud<Sphere> cloud({{{0.2, 0.5, 0.5}, 0.1}, {{0.8, 0.5, 0.5}, 0.1}}, {});
   const Rays ray{.place = Vector3d(0.39, 0.5, 0.5).transpose(),
