@@ -37,6 +37,32 @@ double overlap(const Added& added, const Eigen::VectorXd& radius, const Addition
 
 const Box oblong{.lengths = {2.0, 1.0, 0.5}, .corner = {-1.0, 3.0, 0.0}};
 
+BOOST_AUTO_TEST_SUITE(uniform_from_)
+
+// The standard says what the 10000th number of mt19937_64 with its default seed is: of it the upper 53 bits.
+BOOST_AUTO_TEST_CASE(gives_the_upper_bits_of_a_known_generator) {
+  const auto draw = uniform_from(5489);
+  double last = 0.0;
+  for (int k = 0; k < 10000; ++k) last = draw();
+  BOOST_TEST(last == static_cast<double>(9981545732273789042u >> 11) / 9007199254740992.0);
+}
+
+BOOST_AUTO_TEST_CASE(lies_in_its_interval_and_has_the_same_bits_for_the_same_seed) {
+  const auto draw = uniform_from(7), again = uniform_from(7), other = uniform_from(8);
+  int same = 0, at_the_ends = 0;
+  for (int k = 0; k < 10000; ++k) {
+    const double u = draw();
+    BOOST_TEST_REQUIRE((u >= 0.0 && u < 1.0));
+    BOOST_TEST_REQUIRE(u == again());
+    same += u == other() ? 1 : 0;
+    at_the_ends += u < 1e-3 || u >= 0.999 ? 1 : 0;
+  }
+  BOOST_TEST(same == 0);
+  BOOST_TEST(at_the_ends > 0);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
 BOOST_AUTO_TEST_SUITE(random_addition_)
 
 BOOST_AUTO_TEST_CASE(puts_spheres_where_they_overlap_nothing) {

@@ -55,6 +55,35 @@ BOOST_AUTO_TEST_CASE(is_where_nothing_flows) {
   CHECK_REFUSED(equilibrium_temperature({}), "give h_c or emissivity");
 }
 
+// Convection alone takes 25 W/m^2 at 10 W/(m^2 K) and 2.5 K above the flow; radiation alone B (400^4 - 300^4) =
+// 992.315523325 W/m^2 at 400 K, B 400^4 to nothing; and half of it with 10 (400 - 300) W/m^2 of convection beside it.
+BOOST_AUTO_TEST_CASE(is_where_what_is_absorbed_goes_away) {
+  BOOST_TEST(equilibrium_temperature({.h_c = 10.0, .theta_o = 290.0}, 25.0) == 292.5, tolerance(1e-15));
+  BOOST_TEST(equilibrium_temperature({.emissivity = 1.0}, 992.315523325) == 400.0, tolerance(1e-14));
+  BOOST_TEST(equilibrium_temperature({.emissivity = 1.0, .theta_s = 0.0},
+                                     400.0 * 400.0 * 400.0 * 400.0 * stefan_boltzmann) == 400.0,
+             tolerance(1e-14));
+  BOOST_TEST(equilibrium_temperature({.h_c = 10.0, .emissivity = 0.5}, 1496.1577616625) == 400.0, tolerance(1e-14));
+}
+
+// Surroundings apart: what is absorbed may leave the body between them, or bring it above both.
+BOOST_AUTO_TEST_CASE(is_found_between_and_above_surroundings_that_differ) {
+  const Cooling law{.h_c = 20.0, .theta_o = 350.0, .emissivity = 0.8, .theta_s = 1000.0};
+  for (const double absorbed : {0.0, 1e-6, 1.0, 1e4, 1e9}) {
+    const double theta = equilibrium_temperature(law, absorbed), off = heat_flux(law, theta) + absorbed;
+    BOOST_TEST(std::abs(off) <= 2e-15 * theta * std::abs(heat_flux_slope(law, theta)));
+    BOOST_TEST((theta > 350.0 && (theta > 1000.0) == (absorbed > 20.0 * 650.0)));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(refuses_what_cannot_be_absorbed) {
+  const Cooling law{.h_c = 1.0};
+  CHECK_REFUSED(equilibrium_temperature(law, -1.0), "must be finite and not negative, got -1 W/m^2");
+  CHECK_REFUSED(equilibrium_temperature(law, NAN), "must be finite and not negative, got nan W/m^2");
+  CHECK_REFUSED(equilibrium_temperature(law, INFINITY), "must be finite and not negative, got inf W/m^2");
+  CHECK_REFUSED(equilibrium_temperature({}, 1.0), "give h_c or emissivity");
+}
+
 BOOST_AUTO_TEST_SUITE_END()
 BOOST_AUTO_TEST_SUITE(radiation_time_)
 

@@ -7,12 +7,11 @@
 #include <utility>
 #include <vector>
 
-#include <fmt/format.h>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 
 #include <harness/case.hpp>
-#include <harness/front.hpp>
 #include <harness/races.hpp>
+#include <harness/stiff_races.hpp>
 #include <particulate/schemes/collocation.hpp>
 #include <particulate/schemes/error_control.hpp>
 #include <particulate/schemes/phi_family.hpp>
@@ -64,39 +63,6 @@ std::function<schemes::State(double)> inverted(std::function<double(double)> tim
     for (int k = 0; k < 200; ++k) theta += std::clamp((t - time_to(theta)) * rate(theta), -0.3 * theta, 0.1 * theta);
     return schemes::State{.t = t, .y = Eigen::VectorXd::Constant(1, theta)};
   };
-}
-
-// Radau IIA collocation of so many stages.
-template <int stages>
-Competitor radau(const Race& race, bool quick) {
-  const auto control = [t_end = race.outputs.back()](double TOL) {
-    return schemes::ErrorControl{
-        .TOL = TOL, .sweep_TOL = std::max(0.01 * TOL, 2.3e-16), .K_d = 3, .limit = t_end, .growth = 8.0, .worth = 1.2};
-  };
-  const schemes::Collocation<schemes::Radau<stages>, schemes::Newton<schemes::SparseStages>> scheme;
-  return tuned(
-      competitor(fmt::format("Radau {}", stages), race, tolerances(quick ? 1e-9 : 1e-11, 1.0), under(scheme, control)));
-}
-
-std::vector<Competitor> stiff_ones(const Race& race, bool quick) {
-  return {competitor("CVODE BDF", race, tolerances(1e-14, quick ? 1e-7 : 1e-3), by(reference::Bdf{})),
-          radau<3>(race, quick), radau<5>(race, quick)};
-}
-
-// What both take to come to 1e-8, with the right-hand sides for Jacobians.
-void compare_at_1e_8(Rows& rows, const std::string& problem) {
-  const auto evaluations = [](const WorkPrecisionPoint& point) {
-    return static_cast<double>(point.counts.evaluations);
-  };
-  const auto cost = [&](const std::string& method) {
-    const auto found = front(rows.points(), problem, {method, {method}}, 1e-8, evaluations);
-    return found ? found->cost : missing;
-  };
-  const double bdf = cost("CVODE BDF");
-  for (const std::string by : {"Radau 3", "Radau 5"}) {
-    rows.at_most(fmt::format("{}, evaluations of {} to 1e-8, those for Jacobians included", problem, by),
-                 {.limit = bdf, .computed = cost(by), .because = "no more than CVODE BDF takes"});
-  }
 }
 
 const Case cooling{
