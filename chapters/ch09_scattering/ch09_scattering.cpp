@@ -25,7 +25,7 @@
 //! build/release/bin/ch09_scattering --out ch09 --threads 2
 //! @endverbatim
 //!
-//! That takes about a minute, with `--quick` some fifteen seconds.
+//! That takes about a minute and a half, with `--quick` some fifteen seconds.
 //!
 //! @section ch09_model Rays
 //!

@@ -26,11 +26,11 @@ std::string written(const std::vector<What>& what) {
 BOOST_AUTO_TEST_SUITE(write_vtk_)
 
 BOOST_AUTO_TEST_CASE(makes_a_line_of_every_ray) {
-  const std::string text = written<PathPoint>({{0, {0.0, 0.0, 0.0}, 0.0, 2.0},
-                                               {0, {1.0, 0.0, 0.0}, 1.0, 0.5},
-                                               {0, {1.0, 3.0, 0.0}, 4.0, 0.5},
-                                               {1, {0.0, 0.1, 0.0}, 0.0, 2.0},
-                                               {1, {5.0, 0.1, 0.0}, 5.0, 2.0}});
+  const std::string text = written<PathPoint>({{0, {0.0, 0.0, 0.0}, 0.0, 2.0, -1},
+                                               {0, {1.0, 0.0, 0.0}, 1.0, 0.5, 3},
+                                               {0, {1.0, 3.0, 0.0}, 4.0, 0.5, -1},
+                                               {1, {0.0, 0.1, 0.0}, 0.0, 2.0, -1},
+                                               {1, {5.0, 0.1, 0.0}, 5.0, 2.0, -1}});
   BOOST_TEST(text.find("NumberOfPoints=\"5\" NumberOfVerts=\"0\" NumberOfLines=\"2\"") != std::string::npos);
   BOOST_TEST(values(text, "places") == "0 0 0\n1 0 0\n1 3 0\n0 0.1 0\n5 0.1 0\n");
   BOOST_TEST(values(text, "offsets") == "3\n5\n");

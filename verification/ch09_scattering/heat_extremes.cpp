@@ -203,8 +203,9 @@ void refuse_light(Rows& rows) {
   };
   const Eigen::VectorXd one = Eigen::VectorXd::Ones(1);
   refuse(rows, "energies of other bodies", "each of 1 temperature energy 1 and 2", warm(one, Vector2d::Zero()));
-  refuse(rows, "an energy of nan J", "energy finite", warm(one, not_a_number * one));
-  refuse(rows, "a temperature of inf K", "temperature finite", warm(infinite * one, one));
+  refuse(rows, "an energy of nan J", "energies finite body 0", warm(one, not_a_number * one));
+  refuse(rows, "an energy of -1 J", "energies negative body 0", warm(one, -one));
+  refuse(rows, "a temperature of inf K", "temperatures finite body 0", warm(infinite * one, one));
   rows.must_be_refused("a state below 0 K", "value", [] {
     const HeatedBodies bodies = lone_in_beam(1e6);
     schemes::State below = start(bodies, 300.0);

@@ -68,10 +68,17 @@ Eigen::VectorXd equilibrium_temperatures(const HeatedBodies& bodies) {
 
 Eigen::VectorXd warmed_by(const HeatedBodies& bodies, const Eigen::VectorXd& theta, const Eigen::VectorXd& energy) {
   const Eigen::Index N = bodies.capacity.size();
-  if (theta.size() != N || energy.size() != N || !theta.allFinite() || !energy.allFinite()) {
+  if (theta.size() != N || energy.size() != N) {
     throw std::invalid_argument(
-        fmt::format("heated bodies: each of {} must have a temperature and an energy that are finite, got {} and {}", N,
-                    theta.size(), energy.size()));
+        fmt::format("heated bodies: each of {} must have a temperature and an energy, got {} and {}", N, theta.size(),
+                    energy.size()));
+  }
+  for (Eigen::Index i = 0; i < N; ++i) {
+    if (std::isfinite(theta[i]) && std::isfinite(energy[i]) && energy[i] >= 0.0) continue;
+    throw std::invalid_argument(
+        fmt::format("heated bodies: temperatures and energies must be finite and energies not negative, body {} has {} "
+                    "K and gets {} J",
+                    i, theta[i], energy[i]));
   }
   return theta + energy.cwiseQuotient(bodies.capacity);
 }

@@ -84,7 +84,8 @@ Eigen::VectorXd equilibrium_temperatures(const HeatedBodies& bodies);
 /// @param theta   before, N [K]
 /// @param energy  that each has absorbed, Traced::absorbed of rays that carry energies, >= 0, N [J]
 /// @return temperatures, N [K]
-/// @throws std::invalid_argument for other numbers of temperatures or energies than bodies, and if one is not finite
+/// @throws std::invalid_argument for other numbers of temperatures or energies than bodies, naming a body of which one
+///         cannot be meant
 Eigen::VectorXd warmed_by(const HeatedBodies& bodies, const Eigen::VectorXd& theta, const Eigen::VectorXd& energy);
 
 /// A hit of a ray of a pulse.
