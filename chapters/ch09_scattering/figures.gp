@@ -423,15 +423,15 @@ unset object
 reset
 load style
 set output 'ch09_map.svg'
-set terminal svg size 760,420 dynamic enhanced font 'sans-serif,16' background '#ffffff' rounded
+set terminal svg size 640,400 dynamic enhanced font 'sans-serif,16' background '#ffffff' rounded
 those(k, c) = column(1) == k ? column(c) : NaN
 stats file('map') skip 1 using 1 name 'points' nooutput
 edge = sqrt(points_records/2) - 1
 wide = (50/1.5)**(0.5/edge)
 high = 0.15/edge/2
 set style fill solid 1.0 noborder
-set multiplot layout 1,2 margins 0.13,0.87,0.18,0.88 spacing 0.04
-set colorbox user origin 0.89,0.18 size 0.025,0.7
+set multiplot layout 1,2 margins 0.155,0.86,0.2,0.88 spacing 0.04
+set colorbox user origin 0.88,0.2 size 0.025,0.68
 set logscale xcb
 set cbrange [0.01:1]
 set xrange [1.5/wide:50*wide]
