@@ -57,8 +57,8 @@ const Case adiabats{
                                                       .because = "Poisson's law, P rho^-gamma"});
       const LinearizedState stiff{.P_R = 1e8, .Y = 1e9, .a_th = 1e-3};
       static_cast<void>(check("a liquid that expands much, under 1000 bar", stiff, 1000.0, 1300.0, 1000.0));
-      const LinearizedState monograph{.Y = 1e5};
-      static_cast<void>(check("a fluid of the monograph, Y = 1e5", monograph, 1000.0, 1100.0, 2500.0));
+      const LinearizedState soft{.Y = 1e5};
+      static_cast<void>(check("a soft fluid, Y = 1e5", soft, 1000.0, 1100.0, 2500.0));
       // Without expansion c (theta - theta_0) = (P_R - Y) (1/rho_0 - 1/rho) + Y/rho_R ln(rho/rho_0).
       const LinearizedState inert{.P_R = 1e8, .Y = 1e9, .a_th = 0.0};
       const Compression end = check("a liquid that does not expand", inert, 1000.0, 1300.0, 1000.0);

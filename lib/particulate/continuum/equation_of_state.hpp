@@ -26,7 +26,7 @@ namespace particulate::continuum {
 /// compression itself.
 struct LinearizedState {
   double P_R = 1e5;        ///< pressure of the known state [Pa]
-  double Y = 1e9;          ///< bulk modulus at constant temperature, > 0; of the monograph's fluids 1e5 to 1e10 [Pa]
+  double Y = 1e9;          ///< bulk modulus at constant temperature, > 0 [Pa]
   double rho_R = 1000.0;   ///< its density, > 0 [kg/m^3]
   double theta_R = 300.0;  ///< its temperature, > 0 [K]
   double a_th = 1e-7;      ///< thermal expansion at constant pressure, of rho/rho_R, either sign [1/K]
