@@ -32,7 +32,6 @@
 
 #include <particulate/continuum/equation_of_state.hpp>
 #include <particulate/continuum/stress.hpp>
-#include <particulate/continuum/viscosity.hpp>
 #include <particulate/report/chapter.hpp>
 
 namespace {
@@ -179,8 +178,8 @@ void write_elements(const Motion& motion, report::Chapter& chapter) {
 //!     \rho\, \dot v = \nabla \cdot \sigma + f, \qquad \sigma = \sigma^T, \qquad
 //!     \rho\, \dot e = \sigma : \nabla v - \nabla \cdot h + q . \f]
 //!
-//! A dot is the rate that moves along, \f$ \partial/\partial t + v \cdot \nabla \f$. The third follows as the first
-//! relation of this section did: on a cube of edge h the torque of what is not symmetric is as h cubed, its moment of
+//! A dot is the rate that moves along, \f$ \partial/\partial t + v \cdot \nabla \f$. The third follows as Cauchy's
+//! relation did: on a cube of edge h the torque of what is not symmetric is as h cubed, its moment of
 //! inertia as h to the fifth. Of the last, the energy of motion is gone already, as momentum times v. The library holds
 //! each law as what is left over (particulate::continuum::momentum_residual and its neighbours), and the verification
 //! of this appendix shows that nothing is in flows that are known, a shock among them.
@@ -223,6 +222,8 @@ void write_flows(const Parameters& p, report::Chapter& chapter) {
 //! \f$ e = c\, \theta \f$. Compressed without heat or friction, all work then shows as temperature,
 //! \f$ d\theta/d\rho = P/(\rho^2 c) \f$, along which sound runs (particulate::continuum::speed_of_sound). Thermodynamics
 //! would have \f$ \theta\, (\partial P/\partial\theta)/(\rho^2 c) \f$ there (Gibbs). The two agree for a gas alone.
+//! Viscosity may fall as a liquid warms, \f$ \mu = \mu_R e^{c_\mu (\theta_R/\theta - 1)} \f$
+//! (particulate::continuum::ExponentialViscosity).
 
 struct Compressed {
   double by_work, by_gibbs;  // warming by 1 % of compression [K]
@@ -265,13 +266,6 @@ void write_states(const Parameters& p, report::Chapter& chapter) {
                 pressure(air, rho_air * ratio, theta) / p.P_R, pressure(air, rho_air * ratio, warm) / p.P_R});
   }
   chapter.output().write("pressures", curves);
-  report::Table viscosities({"theta [K]", "c_mu = 0", "c_mu = 2", "c_mu = 5", "c_mu = 10"});
-  for (double at = 250.0; at <= 600.0; at += 5.0) {
-    std::vector<report::Cell> row{at, viscosity(ConstantViscosity{1.0})};
-    for (const double c_mu : {2.0, 5.0, 10.0}) row.emplace_back(viscosity(ExponentialViscosity{1.0, c_mu, 300.0}, at));
-    viscosities.add(row);
-  }
-  chapter.output().write("viscosities", viscosities);
 }
 
 void run(const Parameters& p, report::Chapter& chapter) {
@@ -309,11 +303,9 @@ int main(int argc, char** argv) {
 //!
 //! @table{appA_fluids}
 //!
-//! With the smallest Y that we believe the monograph uses sound is no faster than a cyclist. That makes it affordable to compute, and flows
-//! must be much slower to count as incompressible. Warming by work and after Gibbs differ for every liquid. What they
-//! warm by is little either way; what drives their temperature is friction and conduction.
-//!
-//! @figure{appA_viscosities, Viscosity over that at 300 K\, \f$ \mu = \mu_R e^{c_\mu (\theta_R/\theta - 1)} \f$.}
+//! With the smallest Y that we believe the monograph uses, sound is no faster than a cyclist. That makes it affordable to
+//! compute, and flows must be much slower to count as incompressible. Warming by work and after Gibbs differ for every
+//! liquid. It is little either way; what drives a liquid's temperature is friction and conduction.
 //!
 //! @section appA_held What held
 //!

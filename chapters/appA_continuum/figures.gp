@@ -39,15 +39,6 @@ set key top left
 plot file('pressures') skip 1 using 1:2 with lines lt 1 lw 5 title 'linear', '' skip 1 using 1:3 with lines lt 4 title 'linear, 3 Y', \
      '' skip 1 using 1:4 with lines lt 2 title 'gas at one temperature', '' skip 1 using 1:5 with lines lt 3 title 'gas without heat'
 
-set output 'appA_viscosities.svg'
-set xlabel 'θ [K]'
-set ylabel 'μ/μ_R'
-set logscale y 10
-set format y '%g'
-set key outside top center horizontal
-plot for [k = 2:5] file('viscosities') skip 1 using 1:k with lines lt (k - 1) title 'c_μ = '.word('0 2 5 10', k - 1)
-unset logscale
-
 # Figure A.1: a tetrahedron whose faces lie in the planes of the axes, but for one.
 set output 'appA_tetrahedron.svg'
 set terminal svg size 640,480 dynamic enhanced font 'sans-serif,16' background '#ffffff' rounded
