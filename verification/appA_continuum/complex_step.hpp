@@ -1,12 +1,13 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 
 #include <particulate/continuum/deformation.hpp>
 
 /// @file
-/// Derivatives to rounding, and what a case draws at random.
+/// Derivatives to rounding, what a case draws at random, and the largest of its errors.
 
 namespace verification {
 
@@ -23,6 +24,12 @@ Eigen::Matrix<double, Rows, Columns> over_step(const Eigen::Matrix<Complex, Rows
 template <class Function>
 auto derivative(const Function& f, double s) {
   return over_step(f(Complex(s, complex_step)));
+}
+
+/// Keeps the larger of two sizes, and NaN once there is one.
+inline void keep_larger(double& worst, double error, double size = 1.0) {
+  const double relative = std::abs(error) / size;
+  worst = std::isnan(relative) ? relative : std::max(worst, relative);
 }
 
 /// Entries evenly distributed from -1 to 1.

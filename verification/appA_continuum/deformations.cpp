@@ -1,6 +1,5 @@
 // Deformation: a flow whose motion is known, and bodies with corners whose areas and volumes are counted anew.
 
-#include <algorithm>
 #include <cmath>
 
 #include <Eigen/Geometry>
@@ -62,11 +61,9 @@ struct Worst {
   double error = 0.0;
   template <class A, class B>
   void add(const A& computed, const B& expected, double size) {
-    error = std::max(error, (computed - expected).norm() / size);
+    keep_larger(error, (computed - expected).norm(), size);
   }
-  void add(double computed, double expected, double size) {
-    error = std::max(error, std::abs(computed - expected) / size);
-  }
+  void add(double computed, double expected, double size) { keep_larger(error, computed - expected, size); }
 };
 void to_rounding(Rows& rows, const char* what, const Worst& worst, double tolerance) {
   rows.compare(what, {.expected = 0.0,

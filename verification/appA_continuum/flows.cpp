@@ -1,6 +1,5 @@
 // Balance laws in flows that are known exactly: what each leaves over is rounding.
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -38,7 +37,6 @@ struct Left {
     row("energy", energy);
   }
 };
-void keep_larger(double& worst, double left, double size) { worst = std::max(worst, std::abs(left) / size); }
 
 const Case couette{
     {.name = "couette_flow",

@@ -36,7 +36,7 @@ const Case tetrahedron{
           const double area = 0.5 * edges[(j + 1) % 3] * edges[(j + 2) % 3];
           for (int i = 0; i < 3; ++i) force[i] -= sigma(i, j) * area;
         }
-        worst = std::max(worst, force.norm() / (sigma.norm() * slanted.norm()));
+        keep_larger(worst, force.norm(), sigma.norm() * slanted.norm());
       }
       rows.compare(
           "force over stress times area",
@@ -64,9 +64,10 @@ const Case cube{
       for (int k = 0; k < 200; ++k) {
         const double h = std::exp(10.0 * (uniform() - 0.5)), P = uniform();
         const Tensor<double> sigma = random_tensor(uniform);
-        off = std::max(off, (torque(sigma, h) / (h * h * h) - angular_momentum_residual(sigma)).norm());
+        keep_larger(off, (torque(sigma, h) / (h * h * h) - angular_momentum_residual(sigma)).norm());
         const Tensor<double> viscous = stress({.mu = 2.0, .lambda = 0.5}, P, rate_of_deformation(sigma));
-        fluid = std::max({fluid, torque(viscous, h).norm() / (h * h * h), angular_momentum_residual(viscous).norm()});
+        keep_larger(fluid, torque(viscous, h).norm(), h * h * h);
+        keep_larger(fluid, angular_momentum_residual(viscous).norm());
       }
       rows.compare(
           "torque per volume, less what is not symmetric [Pa]",
@@ -88,12 +89,12 @@ const Case isotropy{
         const Tensor<double> L = random_tensor(uniform), D = rate_of_deformation(L);
         const Tensor<double> Q = rotation(std::numbers::pi * uniform());
         const Tensor<double> sigma = stress(law, 3.0, D);
-        turned = std::max(turned, (stress<double>(law, 3.0, Q * D * Q.transpose()) - Q * sigma * Q.transpose()).norm() /
-                                      sigma.norm());
+        const Tensor<double> of_turned = stress<double>(law, 3.0, Q * D * Q.transpose());
+        keep_larger(turned, (of_turned - Q * sigma * Q.transpose()).norm(), sigma.norm());
         // (lambda + 2 mu/3) tr D, with lambda + 2 mu/3 = 19/30.
-        mean = std::max(mean, std::abs(sigma.trace() / 3.0 + 3.0 - 19.0 / 30.0 * L.trace()));
+        keep_larger(mean, sigma.trace() / 3.0 + 3.0 - 19.0 / 30.0 * L.trace());
         const Tensor<double> turning = rate_of_deformation<double>(spin(L));
-        rigid = std::max(rigid, (stress(law, 3.0, turning) + 3.0 * Tensor<double>::Identity()).norm());
+        keep_larger(rigid, (stress(law, 3.0, turning) + 3.0 * Tensor<double>::Identity()).norm());
       }
       rows.compare("stress of the turned flow, less the turned stress, relative",
                    {.expected = 0.0, .computed = turned, .tolerance = absolute(4e-15), .because = "rounding"});
@@ -125,9 +126,9 @@ const Case second_law{
         const Newtonian law{.mu = 1.5, .lambda = k % 2 == 0 ? -1.0 : 4.0 * uniform() - 1.0};
         const double heat = dissipation(law, D);
         // Work of the viscous stress on the whole gradient, of which it feels the symmetric part alone.
-        off = std::max(off, std::abs(stress_power(viscous_stress(law, D), L) - heat));
+        keep_larger(off, stress_power(viscous_stress(law, D), L) - heat);
         least = std::min(least, heat);
-        rigid = std::max(rigid, std::abs(dissipation<double>(law, rate_of_deformation<double>(spin(L)))));
+        keep_larger(rigid, dissipation<double>(law, rate_of_deformation<double>(spin(L))));
       }
       rows.compare("power of the viscous stress, less dissipation [W/m^3]",
                    {.expected = 0.0, .computed = off, .tolerance = absolute(4e-14), .because = "rounding of up to 50"});
