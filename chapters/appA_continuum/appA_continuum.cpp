@@ -95,7 +95,8 @@ void write_sheet(const Motion& motion, report::Chapter& chapter) {
   }
   double off = 0.0;
   for (int k = 0; k < 16; ++k) {
-    const Vector<double> middle(0.25 * (k % 4) + 0.125, 0.25 * (k / 4) + 0.125, 0.0);
+    const int row = k / 4, column = k % 4;
+    const Vector<double> middle(0.25 * column + 0.125, 0.25 * row + 0.125, 0.0);
     const Tensor<double> F = motion.F(middle);
     off += std::abs(jacobian(F) / motion.J(middle) - 1.0);
     for (int j = 0; j <= 36; ++j) {

@@ -5,11 +5,12 @@ line(k) = sprintf("< awk -F, '$1 == %d' '%s'", k, file('lines'))
 arrows(k) = sprintf("< awk -F, '$3 == %d' '%s'", k, file('normals'))
 
 set output 'appA_motion.svg'
-set terminal svg size 640,560 dynamic enhanced font 'sans-serif,16' background '#ffffff' rounded
+set terminal svg size 640,440 dynamic enhanced font 'sans-serif,16' background '#ffffff' rounded
 set size ratio -1
 set xlabel 'x [m]'
 set ylabel 'y [m]'
 unset key
+unset grid
 plot for [k = 0:9] line(k) using 2:3 with lines lc rgb '#b0b0b0' lw 1, \
      for [k = 10:25] line(k) using 2:3 with lines lc rgb '#b0b0b0' lw 1, \
      for [k = 0:9] line(k) using 4:5 with lines lt 1 lw 1.6, \
@@ -17,6 +18,7 @@ plot for [k = 0:9] line(k) using 2:3 with lines lc rgb '#b0b0b0' lw 1, \
      arrows(1) using 1:2:4:5 with vectors size 0.03,20 filled lt 2 lw 2, \
      arrows(2) using 1:2:4:5 with vectors size 0.03,20 filled lt 3 lw 2
 set size noratio
+set grid xtics ytics lc rgb 'gray' lw 0.6 dt 1
 
 set terminal svg size 640,420 dynamic enhanced font 'sans-serif,16' background '#ffffff' rounded
 set output 'appA_elements.svg'

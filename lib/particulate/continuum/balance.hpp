@@ -1,7 +1,6 @@
 #pragma once
 
 #include <particulate/continuum/deformation.hpp>
-#include <particulate/continuum/stress.hpp>
 
 /// @file
 /// Balance laws at a point, each as what is left over: zero for what obeys it. A rate is that of one point of the
