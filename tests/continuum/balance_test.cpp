@@ -51,6 +51,8 @@ BOOST_AUTO_TEST_CASE(is_the_torque_of_what_is_not_symmetric) {
   BOOST_TEST(close(angular_momentum_residual(sigma), Vector<double>(0.0, 0.0, 5.0), {}));
   sigma(0, 1) = 5.0;
   BOOST_TEST(close(angular_momentum_residual(sigma), Vector<double>(0.0, 0.0, 0.0), {}));
+  sigma << 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0;
+  BOOST_TEST(close(angular_momentum_residual(sigma), Vector<double>(2.0, -4.0, 2.0), {}));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -60,6 +60,11 @@ BOOST_AUTO_TEST_CASE(is_there_without_an_inverse) {
 BOOST_AUTO_TEST_SUITE_END()
 BOOST_AUTO_TEST_SUITE(deformed_area_)
 
+// The first column of the cofactors.
+BOOST_AUTO_TEST_CASE(is_by_cofactors) {
+  BOOST_TEST(close(deformed_area<double>(F, {2.0, 0.0, 0.0}), Vector<double>(22.0, -8.0, 2.0), {.relative = 1e-15}));
+}
+
 // A simple shear tilts the planes across x, and leaves those that slide on one another.
 BOOST_AUTO_TEST_CASE(is_normal_to_lines_in_it) {
   const Tensor<double> shear = rows({1.0, 0.5, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0});

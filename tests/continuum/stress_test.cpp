@@ -46,7 +46,7 @@ BOOST_AUTO_TEST_SUITE(stress_power_)
 BOOST_AUTO_TEST_CASE(is_entry_by_entry) {
   Tensor<double> sigma;
   sigma << 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0;
-  BOOST_TEST(stress_power(sigma, simple_shear(3.0)) == 6.0);
+  BOOST_TEST(stress_power(sigma, simple_shear(-3.0)) == -6.0);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
