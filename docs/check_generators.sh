@@ -179,14 +179,14 @@ refuses 2 'not an SVG that gnuplot finished' awk -v out="$work/bad" -f "$docs/sv
 # --- guide: tables ---------------------------------------------------------------------------------------------------
 mkdir -p run tables pages work
 printf 'name,value [m]\r\n"a, ""b"" <c>\n@d",0.30000000000000004\r\nnone,nan\r\n' >run/short.csv
-{ echo n && seq 101; } >run/long.csv
+{ echo n && seq 201; } >run/long.csv
 printf 'what,caught by\nsign,"ch01: period, race; ch02: x"\n' >run/caught.csv
 echo 'alpha1 = 0.5' >run/parameters.toml
 "$guide" tables run ch01 tables
 holds tables/ch01_short.html 'a, &quot;b&quot; &lt;c&gt;' '&#64;d' '<td class="number">0.3</td>' '<th class="number">value [m]</th>'
 holds tables/ch01_parameters.toml 'alpha1 = 0.5'
 holds tables/ch01_caught.html '<a href="verify_ch01.html#verify_ch01_period">period</a>, <a href="verify_ch01.html#verify_ch01_race">race</a>; <a href="verify_ch02.html#verify_ch02_x">'
-[ ! -e tables/ch01_long.html ] || complain 'a table of 101 rows is a curve and must not become a page'
+[ ! -e tables/ch01_long.html ] || complain 'a table of 201 rows is a curve and must not become a page'
 refuses 2 'guide:' "$guide" tables nosuch ch01 tables
 touch run/unfinished.txt
 refuses 2 'a run that ended' "$guide" tables run ch01 tables
