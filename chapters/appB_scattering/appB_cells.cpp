@@ -32,6 +32,7 @@
 #include <vector>
 
 #include <particulate/report/progress.hpp>
+#include <particulate/report/spread.hpp>
 #include <particulate/scattering/snapshot.hpp>
 
 #include "appB_scattering.hpp"
@@ -121,7 +122,7 @@ void cross(const Parameters& p, int k, Crossing& crossing) {
     const Ledger now =
         trace(cloud, Fresnel{p.n_hat}, rays, {.path_length = lengths[j] * p.edge, .threads = threads}).ledger;
     crossing.x[j].push_back(now.x / now.incident);
-    crossing.unaccounted = std::max(crossing.unaccounted, std::abs(now.accounted() / now.incident - 1.0));
+    crossing.unaccounted = report::worse_of(crossing.unaccounted, std::abs(now.accounted() / now.incident - 1.0));
   }
   const Ledger end = trace(cloud, Fresnel{p.n_hat}, rays, {.threads = threads}).ledger;
   const Ledger direct = trace(cloud, Fresnel{p.n_hat}, rays, {.most_hits = 0, .threads = threads}).ledger;
@@ -185,8 +186,8 @@ void write_crossings(const Parameters& p, const std::vector<Crossing>& all, repo
     const double law = std::exp(-depth - 0.5 * depth * depth * chance.exclusion);
     table.add({one.cells, end.value, end.standard_error, missed.value, missed.standard_error, std::exp(-depth), law,
                report::mean_of(one.absorbed).value, one.again / one.segments});
-    worst = std::max(worst, one.unaccounted);
-    farthest = std::max(farthest, std::abs(missed.value - law) / missed.standard_error);
+    worst = report::worse_of(worst, one.unaccounted);
+    farthest = report::worse_of(farthest, std::abs(missed.value - law) / missed.standard_error);
   }
   chapter.output().write("crossing", curves);
   chapter.output().write("crossed", table);

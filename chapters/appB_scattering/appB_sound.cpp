@@ -45,8 +45,8 @@ void sound(report::Chapter& chapter) {
   for (int k = 0; k <= 900; ++k) {
     const SolidShares now = shares(steel, std::cos(0.1 * k * degree));
     table.add({0.1 * k, now.reflected, now.longitudinal, now.shear});
-    worst = std::max(worst, std::abs(now.reflected + now.longitudinal + now.shear - 1.0));
-    if (k > 276) beyond = std::max(beyond, std::abs(now.reflected - 1.0));
+    worst = report::worse_of(worst, std::abs(now.reflected + now.longitudinal + now.shear - 1.0));
+    if (k > 276) beyond = report::worse_of(beyond, std::abs(now.reflected - 1.0));
   }
   chapter.output().write("solid", table);
   const double to_l = critical_angle(steel.c_f / steel.c_l) / degree,

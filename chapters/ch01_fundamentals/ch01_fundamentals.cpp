@@ -45,6 +45,7 @@
 #include <particulate/kinematics/similarity.hpp>
 #include <particulate/laws/near_field.hpp>
 #include <particulate/report/chapter.hpp>
+#include <particulate/report/spread.hpp>
 #include <particulate/scenes/scene.hpp>
 #include <particulate/schemes/fixed_step.hpp>
 #include <particulate/schemes/integrate.hpp>
@@ -198,7 +199,7 @@ void run(const Parameters& p, report::Chapter& chapter) {
                           free = position(leave, 1) - position(leave, 0);
     paths.add({t, bound.x(), bound.y(), free.x(), free.y()});
     const double angle = std::atan2(free.y(), free.x());
-    turned_back = std::max(turned_back, -std::remainder(angle - last_angle, 2.0 * std::numbers::pi));
+    turned_back = report::worse_of(turned_back, -std::remainder(angle - last_angle, 2.0 * std::numbers::pi));
     last_angle = angle;
   }
   output.write("paths", paths);
@@ -243,8 +244,8 @@ void run(const Parameters& p, report::Chapter& chapter) {
     const double r = exact.at(t).r;
     const double off = std::abs(separation(by_runge_kutta) - r), verlet_off = std::abs(separation(by_verlet) - r);
     breathing.add({t / exact.period(), r, separation(by_runge_kutta), separation(by_verlet), off, verlet_off});
-    worst_runge_kutta = std::max(worst_runge_kutta, off);
-    worst_verlet = std::max(worst_verlet, verlet_off);
+    worst_runge_kutta = report::worse_of(worst_runge_kutta, off);
+    worst_verlet = report::worse_of(worst_verlet, verlet_off);
   }
   output.write("breathing", breathing);
 
@@ -307,7 +308,8 @@ void run(const Parameters& p, report::Chapter& chapter) {
     advance(unscaled_law, wrong_state, t * scales.time, for_wrong, scales.time / 1024.0);
     similar.add(
         {t, separation(small_state), separation(large_state) / scales.length, separation(wrong_state) / scales.length});
-    difference = std::max(difference, (large_state.r / scales.length - small_state.r).lpNorm<Eigen::Infinity>());
+    difference =
+        report::worse_of(difference, (large_state.r / scales.length - small_state.r).lpNorm<Eigen::Infinity>());
   }
   output.write("similarity", similar);
 

@@ -52,6 +52,7 @@
 #include <particulate/laws/near_field.hpp>
 #include <particulate/report/chapter.hpp>
 #include <particulate/report/progress.hpp>
+#include <particulate/report/spread.hpp>
 #include <particulate/scenes/scene.hpp>
 #include <particulate/schemes/fixed_step.hpp>
 #include <particulate/schemes/integrate.hpp>
@@ -210,7 +211,7 @@ void run(const Parameters& p, report::Chapter& chapter) {
   for (const double share : {-1.5, -1.25, -1.0, -0.75, -0.5, 0.0, 0.5}) {
     const double J = contact::normal_impulse(u, share * u, p.e, reduced);
     pull.add({share, (1.0 + p.e) * reduced * (-1.0 - share) * u, J});
-    strongest_pull = std::max(strongest_pull, J);
+    strongest_pull = report::worse_of(strongest_pull, J);
   }
   output.write("pull", pull);
   checks.add("a contact never pulls: largest impulse towards the other [N s]", std::max(strongest_pull, 0.0), 0.0);
@@ -242,7 +243,7 @@ void run(const Parameters& p, report::Chapter& chapter) {
     const double e = 0.02 * k;
     const contact::Rebound after = meet(n, e, {});
     head_on.add({e, along(after.velocity_i), along(after.velocity_j), kept_of(after)});
-    off_square = std::max(off_square, std::abs(kept_of(after) - e * e));
+    off_square = report::worse_of(off_square, std::abs(kept_of(after) - e * e));
   }
   output.write("head_on", head_on);
   checks.add("head-on, equal spheres keep the share e^2 of their energy", off_square, rounding);
@@ -299,7 +300,7 @@ void run(const Parameters& p, report::Chapter& chapter) {
       limits.add({degrees, mu, kept(mu), kept(h) + slope * (mu - h) + 0.5 * bend * (mu - h) * (mu - h)});
     }
     bottoms.add({degrees, stop, bottom, kept(stop)});
-    off_bottom = std::max(off_bottom, std::abs(bottom / stop - 1.0));
+    off_bottom = report::worse_of(off_bottom, std::abs(bottom / stop - 1.0));
   }
   output.write("limits", limits);
   output.write("bottoms", bottoms);
@@ -388,8 +389,8 @@ void run(const Parameters& p, report::Chapter& chapter) {
     }
     const auto share = [&](const kinematics::Vectors& v) { return v.squaredNorm() / start.velocity.squaredNorm(); };
     several_energy.add({name, share(once), share(often), share(in_turn)});
-    gained = std::max(gained, std::abs(share(in_turn) - 1.0));
-    renumbered = std::max(renumbered, (other_way.colwise().reverse() - in_turn).cwiseAbs().maxCoeff());
+    gained = report::worse_of(gained, std::abs(share(in_turn) - 1.0));
+    renumbered = report::worse_of(renumbered, (other_way.colwise().reverse() - in_turn).cwiseAbs().maxCoeff());
   }
   output.write("several", several);
   output.write("several_energy", several_energy);
@@ -429,7 +430,7 @@ void run(const Parameters& p, report::Chapter& chapter) {
     const double error = std::abs(position(state, 1).x() - position(state, 0).x() - (1.0 + 2.0 * p.e));
     const double order = std::log(last / error) / std::log(4.0);
     stepped.add({control.step, outcome.overlap, error, quarters == 0 ? report::Cell() : report::Cell(order)});
-    if (quarters > 0) off_order = std::max(off_order, std::abs(order - 1.0));
+    if (quarters > 0) off_order = report::worse_of(off_order, std::abs(order - 1.0));
     last = error;
   }
   output.write("stepped", stepped);
@@ -481,9 +482,9 @@ void run(const Parameters& p, report::Chapter& chapter) {
     const schemes::Outcome outcome = schemes::integrate(scene, state, k * p.duration / 150.0, verlet, control);
     if (outcome.status != schemes::Status::reached) throw std::runtime_error(describe(outcome));
     dissipated -= outcome.energy_change;
-    restored = std::max(restored, outcome.energy_change);
+    restored = report::worse_of(restored, outcome.energy_change);
     overlap = std::max({overlap, outcome.overlap, outcome.overlap_at_start});
-    travel = std::max(travel, outcome.travel);
+    travel = report::worse_of(travel, outcome.travel);
     impacts += outcome.impacts;
     const kinematics::KineticEnergy kinetic = kinematics::split_kinetic_energy(cloud.mass, velocities(state));
     const double potential = scene.potential_energy(state) - potential_before;
@@ -492,11 +493,12 @@ void run(const Parameters& p, report::Chapter& chapter) {
     const double twice_relative = 2.0 * total_mass * kinetic.relative;
     if (scene.acceleration(state.t, state.r, a) &&
         scene.acceleration(state.t, state.r + control.step * state.v, ahead)) {  // of one kilogram each
-      omega_squared = std::max(omega_squared, std::abs(state.v.dot(ahead - a)) / (control.step * twice_relative));
-      pushed = std::max(pushed, a.squaredNorm());
+      omega_squared =
+          report::worse_of(omega_squared, std::abs(state.v.dot(ahead - a)) / (control.step * twice_relative));
+      pushed = report::worse_of(pushed, a.squaredNorm());
     }
-    moving = std::max(moving, twice_relative);
-    drift = std::max(drift, std::abs(total - total_before));
+    moving = report::worse_of(moving, twice_relative);
+    drift = report::worse_of(drift, std::abs(total - total_before));
     ledger.add(
         {state.t, total_mass * kinetic.bulk, total_mass * kinetic.relative, potential, dissipated, total, impacts});
     if (k % 75 == 0) add_places(places, state, cloud.size());

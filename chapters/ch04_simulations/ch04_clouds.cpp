@@ -14,6 +14,7 @@
 #include <Eigen/Core>
 
 #include <particulate/report/checks.hpp>
+#include <particulate/report/spread.hpp>
 
 #include "ch04_simulations.hpp"
 
@@ -35,7 +36,7 @@ void clouds(const Parameters& p, Journal& journal, const report::Output& output,
       const double bulk = run.column("bulk", row), relative = run.column("relative", row);
       energies.add({near_fields[k].name, run.column("time", row), bulk / (bulk + relative),
                     relative / (bulk + relative), bulk + relative, relative});
-      if (k == 0) rises = std::max(rises, relative - before);
+      if (k == 0) rises = report::worse_of(rises, relative - before);
       before = relative;
       for (const char* component : {"momentum x", "momentum y", "momentum z"}) {
         const double change = run.column(component, row) - run.column(component, 0);

@@ -18,6 +18,7 @@
 #include <particulate/contact/hard_spheres.hpp>
 #include <particulate/kinematics/energy.hpp>
 #include <particulate/report/checks.hpp>
+#include <particulate/report/spread.hpp>
 
 #include "ch04_simulations.hpp"
 
@@ -58,18 +59,18 @@ void steps(const Parameters& p, Journal& journal, report::Chapter& chapter, repo
     const Followed& located = journal.follow({k, Way::located, 0.0});
     add(located);
     if (k == 0) add_gas(p, journal.cloud(), ends);
-    overlap = std::max(overlap, located.outcome.overlap / b);
+    overlap = report::worse_of(overlap, located.outcome.overlap / b);
     const auto books = [&](Eigen::Index row) {
       return located.column("bulk", row) + located.column("relative", row) + located.column("potential", row) +
              located.column("lost", row);
     };
     double off = 0.0, size = 0.0;
     for (Eigen::Index row = 0; row < located.history.rows(); ++row) {
-      off = std::max(off, std::abs(books(row) - books(0)));
-      size = std::max(size, located.column("relative", row) + std::abs(located.column("potential", row)));
+      off = report::worse_of(off, std::abs(books(row) - books(0)));
+      size = report::worse_of(size, located.column("relative", row) + std::abs(located.column("potential", row)));
       limits.add({near_fields[k].name, located.column("time", row), located.column("relative", row)});
     }
-    off_books = std::max(off_books, off / (size * static_cast<double>(located.outcome.steps)));
+    off_books = report::worse_of(off_books, off / (size * static_cast<double>(located.outcome.steps)));
   }
   chapter.output().write("ends", ends);
   chapter.output().write("limits", limits);

@@ -27,6 +27,7 @@
 #include <particulate/kinematics/starts.hpp>
 #include <particulate/laws/near_field.hpp>
 #include <particulate/report/chapter.hpp>
+#include <particulate/report/spread.hpp>
 #include <particulate/schemes/outcome.hpp>
 #include <particulate/schemes/problem.hpp>
 #include <particulate/thermo/clusters.hpp>
@@ -125,8 +126,7 @@ void require_end(const schemes::Outcome& outcome);  // std::runtime_error otherw
 // The numbers from 0 to the last one, in so many equal parts.
 std::vector<double> evenly(int parts, double last);
 
-// The larger of two; what is no number stays.
-inline double worse_of(double a, double b) { return std::isnan(a) || b <= a ? a : b; }
+using report::worse_of;
 
 // Those that have something in common, in their order.
 template <class Has>

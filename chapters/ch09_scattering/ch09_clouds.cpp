@@ -27,6 +27,7 @@
 #include <fmt/format.h>
 
 #include <particulate/report/progress.hpp>
+#include <particulate/report/spread.hpp>
 
 #include "ch09_scattering.hpp"
 
@@ -46,7 +47,7 @@ void add(const Ledger& ledger, Series<Law>& to) {
   to.x.push_back(ledger.x / ledger.incident);
   to.forward.push_back(ledger.forward / ledger.incident);
   to.absorbed.push_back(ledger.absorbed / ledger.incident);
-  to.unaccounted = std::max(to.unaccounted, std::abs(ledger.accounted() / ledger.incident - 1.0));
+  to.unaccounted = report::worse_of(to.unaccounted, std::abs(ledger.accounted() / ledger.incident - 1.0));
 }
 
 //! One cloud serves all laws, and each gets the same rays: their answers differ by the law alone.
@@ -134,7 +135,7 @@ void write_short(const std::string& file, const std::vector<Series<Law>>& all, c
 template <class Law>
 double worst_unaccounted(const std::vector<Series<Law>>& all) {
   double worst = 0.0;
-  for (const Series<Law>& one : all) worst = std::max(worst, one.unaccounted);
+  for (const Series<Law>& one : all) worst = report::worse_of(worst, one.unaccounted);
   return worst;
 }
 
@@ -197,7 +198,7 @@ double worst_of_analogue() {
     const FluidFluid sound{.Z_hat = light.mu_hat / light.n_hat, .c_hat = 1.0 / light.n_hat};
     for (int k = 0; k <= 100; ++k) {
       const double cosine = k / 100.0;
-      worst = std::max(worst, std::abs(r_pressure(sound, cosine) - r_perpendicular(light, cosine)));
+      worst = report::worse_of(worst, std::abs(r_pressure(sound, cosine) - r_perpendicular(light, cosine)));
     }
   }
   return worst;

@@ -44,6 +44,7 @@
 
 #include <fmt/format.h>
 
+#include <particulate/report/spread.hpp>
 #include <particulate/scattering/heat.hpp>
 
 #include "ch09_scattering.hpp"
@@ -212,12 +213,12 @@ void heat(const Parameters& p, report::Chapter& chapter) {
   for (int k = 0; k < realizations_of(p); ++k) {
     const Pulse one = pulse(p, k);
     histories.push_back(history(p, one, ways));
-    for (const Followed& row : histories.back()) speed_off = std::max(speed_off, std::abs(row[6] - 1.0));
+    for (const Followed& row : histories.back()) speed_off = report::worse_of(speed_off, std::abs(row[6] - 1.0));
     const Eigen::VectorXd cold = start(one.bodies, theta_0).y, theta = warm(one, {nowhere}, [](auto&&...) {});
     const double lost = one.rays.power.sum() - one.traced.rays.power.sum();
-    energy_off = std::max(energy_off, std::abs(one.bodies.capacity.dot(theta - cold) / lost - 1.0));
+    energy_off = report::worse_of(energy_off, std::abs(one.bodies.capacity.dot(theta - cold) / lost - 1.0));
     const Eigen::ArrayXd at_once = warmed_by(one.bodies, cold, one.traced.absorbed);
-    jumps_off = std::max(jumps_off, (theta.array() / at_once - 1.0).abs().maxCoeff());
+    jumps_off = report::worse_of(jumps_off, (theta.array() / at_once - 1.0).abs().maxCoeff());
   }
   write_histories(p, histories, ways, chapter.output());
   write_temperatures(p, pulse(p, 0), chapter.output());

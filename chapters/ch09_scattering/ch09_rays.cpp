@@ -18,6 +18,7 @@
 #include <utility>
 #include <vector>
 
+#include <particulate/report/spread.hpp>
 #include <particulate/scattering/snapshot.hpp>
 
 #include "ch09_scattering.hpp"
@@ -71,8 +72,8 @@ void write_ledgers(const Parameters& p, const Cloud<Sphere>& cloud, const Rays& 
     const double I = now.incident;
     table.add({length, now.inside / I, now.forward_face() / I, now.backward_face() / I, now.lateral_faces() / I,
                now.absorbed / I, now.x / I});
-    nowhere_at_all = std::max(nowhere_at_all, std::abs(now.accounted() / I - 1.0));
-    off = std::max(off, (traced.rays.direction.rowwise().norm().array() - 1.0).abs().maxCoeff());
+    nowhere_at_all = report::worse_of(nowhere_at_all, std::abs(now.accounted() / I - 1.0));
+    off = report::worse_of(off, (traced.rays.direction.rowwise().norm().array() - 1.0).abs().maxCoeff());
   }
   chapter.output().write("ledger", table);
   chapter.claims("checks").add("on the way: share of the beam's power that is nowhere", nowhere_at_all, 1e-12);

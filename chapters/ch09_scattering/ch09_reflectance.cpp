@@ -128,10 +128,10 @@ void reflectance_of_one(report::Chapter& chapter) {
     const Fresnel law{n_hat};
     const double F = sphere_reflectance(law), planar = planar_reflectance(law), rays = by_rays(n_hat);
     table.add({n_hat, reflectance(law, 1.0), F, rays, planar});
-    worst_rays = std::max(worst_rays, std::abs(rays - over_rings(n_hat)));
+    worst_rays = report::worse_of(worst_rays, std::abs(rays - over_rings(n_hat)));
     const Integrals summed = over_angles(n_hat);
-    worst_sphere = std::max(worst_sphere, std::abs(summed.of_sphere - F));
-    worst_quarter = std::max(worst_quarter, std::abs(summed.of_quarter - planar));
+    worst_sphere = report::worse_of(worst_sphere, std::abs(summed.of_sphere - F));
+    worst_quarter = report::worse_of(worst_quarter, std::abs(summed.of_quarter - planar));
   }
   chapter.output().write("one", table);
   report::Checks& checks = chapter.claims("checks");

@@ -36,6 +36,14 @@ BOOST_AUTO_TEST_CASE(takes_a_member_or_a_function) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
+BOOST_AUTO_TEST_SUITE(worse_of_)
+
+BOOST_AUTO_TEST_CASE(is_the_larger_one_and_keeps_what_is_no_number) {
+  BOOST_TEST((worse_of(1.0, 2.0) == 2.0 && worse_of(2.0, 1.0) == 2.0 && worse_of(1.0, 1.0) == 1.0));
+  BOOST_TEST((std::isnan(worse_of(1.0, NAN)) && std::isnan(worse_of(NAN, 1.0)) && std::isnan(worse_of(NAN, NAN))));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
 BOOST_AUTO_TEST_SUITE(mean_of_)
 
 // Deviations -3, -1, 1, 3: their squares add up to 20, and 20/(4 * 3) = 5/3.

@@ -6,6 +6,7 @@
 #include <string>
 
 #include <harness/case.hpp>
+#include <particulate/report/spread.hpp>
 #include <particulate/scattering/interface.hpp>
 
 namespace verification::dips_and_sound {
@@ -65,7 +66,7 @@ const Case solid{
       double off = 0.0;
       for (int k = 0; k <= 9000; ++k) {
         const SolidShares all = shares(steel, std::cos(0.01 * k * degree));
-        off = std::max(off, std::abs(all.reflected + all.longitudinal + all.shear - 1.0));
+        off = particulate::report::worse_of(off, std::abs(all.reflected + all.longitudinal + all.shear - 1.0));
       }
       rows.compare("largest error of the sum, over angles",
                    {.expected = 0.0, .computed = off, .tolerance = absolute(4e-16), .because = "each is rounded once"});

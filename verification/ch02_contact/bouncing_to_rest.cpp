@@ -12,6 +12,7 @@
 #include <harness/case.hpp>
 #include <harness/impacts_by_events.hpp>
 #include <harness/motions.hpp>
+#include <particulate/report/spread.hpp>
 #include <particulate/schemes/fixed_step.hpp>
 #include <particulate/schemes/integrate.hpp>
 #include <particulate/schemes/verlet.hpp>
@@ -42,8 +43,8 @@ void by_roots(Rows& rows, const Known& known) {
     const schemes::Outcome leg = integrator.advance(state, 2.0 * known.total_time);
     if (leg.status != schemes::Status::stopped) throw std::runtime_error("no further impact: " + leg.reason);
     speed = -state.v[2];
-    worst_time = std::max(worst_time, std::abs(state.t - exact.impact_time(impacts)));
-    worst_speed = std::max(worst_speed, std::abs(speed - exact.impact_speed(impacts)));
+    worst_time = report::worse_of(worst_time, std::abs(state.t - exact.impact_time(impacts)));
+    worst_speed = report::worse_of(worst_speed, std::abs(speed - exact.impact_speed(impacts)));
     rebound(known.e)(state, integrator.hits());
   }
   const std::string which = fmt::format(", e = {}, {} impacts", known.e, impacts);
@@ -214,7 +215,7 @@ Long for_long(double dropped_from, double e, double dt, double seconds) {
   const auto watch = [&](const schemes::State&, const schemes::State& to, double, const auto&) {
     seen.last = to.r[2] - ball_radius;
     seen.lowest = std::min(seen.lowest, seen.last);
-    if (to.t > seconds - 1.0) seen.highest = std::max(seen.highest, seen.last + 0.5 * to.v[2] * to.v[2] / 9.81);
+    if (to.t > seconds - 1.0) seen.highest = report::worse_of(seen.highest, seen.last + 0.5 * to.v[2] * to.v[2] / 9.81);
     return true;
   };
   require_reached(run(scene, state, seconds, dt, watch));

@@ -12,6 +12,7 @@
 #include <harness/three_body.hpp>
 #include <particulate/kinematics/energy.hpp>
 #include <particulate/kinematics/momentum.hpp>
+#include <particulate/report/spread.hpp>
 #include <particulate/schemes/fixed_step.hpp>
 #include <particulate/schemes/integrate.hpp>
 #include <particulate/schemes/runge_kutta.hpp>
@@ -292,7 +293,7 @@ const Case three_body_near_field{
       long fewest = 1000;
       for (const double closer : all) {
         exact.push_back(by_roots(closer, 1e-13));
-        agreement = std::max(agreement, difference(exact.back().state, by_roots(closer, 1e-11).state));
+        agreement = report::worse_of(agreement, difference(exact.back().state, by_roots(closer, 1e-11).state));
         fewest = std::min(fewest, exact.back().outcome.impacts);
       }
       rows.at_most("CVODE at relative tolerance 1e-11 against 1e-13 [m, m/s]",

@@ -11,6 +11,7 @@
 #include <harness/endings.hpp>
 #include <harness/linear_algebra.hpp>
 #include <harness/motions.hpp>
+#include <particulate/report/spread.hpp>
 #include <particulate/schemes/collocation.hpp>
 #include <particulate/schemes/euler.hpp>
 #include <particulate/schemes/phi_control.hpp>
@@ -121,7 +122,7 @@ void compare_parts(Rows& rows, const std::string& which, const ThreeParts& probl
   PhiControl control{.TOL = TOL, .K_d = 40, .step = 1.0, .limit = 1e6, .growth = 1e6};
   double contractions = 0.0, smallest = control.growth;
   const auto part = [&](double q, double tolerance, double p) {
-    contractions = std::max(contractions, std::ceil(std::log(tolerance) / std::log(q)));
+    contractions = particulate::report::worse_of(contractions, std::ceil(std::log(tolerance) / std::log(q)));
     smallest = std::min(smallest, std::pow(std::pow(tolerance, 1.0 / control.K_d) / q, 1.0 / p));
   };
   part(problem.q_motion, TOL, 2.0);

@@ -13,6 +13,7 @@
 #include <harness/case.hpp>
 #include <harness/endings.hpp>
 #include <harness/motions.hpp>
+#include <particulate/report/spread.hpp>
 #include <particulate/schemes/coupled_pair.hpp>
 #include <particulate/schemes/fixed_step.hpp>
 #include <particulate/schemes/integrate.hpp>
@@ -227,7 +228,7 @@ void compare_judgement(Rows& rows, const FirstOrderPair& pair, const State& from
   std::size_t controlling = 0;
   for (std::size_t k = 0; k < 2; ++k) {
     hand[k] = by_hand(swept, static_cast<Eigen::Index>(k), setting.p[k], setting.TOL[k], K_d);
-    worst = std::max(worst, hand[k].w_K / setting.TOL[k]);
+    worst = particulate::report::worse_of(worst, hand[k].w_K / setting.TOL[k]);
     if (hand[k].phi < smallest) controlling = k;
     smallest = std::min(smallest, hand[k].phi);
   }

@@ -15,6 +15,7 @@
 #include <harness/motions.hpp>
 #include <harness/starts.hpp>
 #include <particulate/kinematics/breathing.hpp>
+#include <particulate/report/spread.hpp>
 #include <particulate/schemes/collocation.hpp>
 #include <particulate/schemes/error_control.hpp>
 #include <particulate/schemes/fixed_step.hpp>
@@ -100,7 +101,7 @@ double error_of_reactions(double TOL) {
   reach(problem, state, 360.0, Collocation<Nodes, Newton<>>({.size = 1.0}), control);
   double worst = 0.0;
   const double digits[] = {1.000814870318523, 1228.178521549917, 132.0554942846706};
-  for (Eigen::Index k = 0; k < 3; ++k) worst = std::max(worst, std::abs(state.y[k] / digits[k] - 1.0));
+  for (Eigen::Index k = 0; k < 3; ++k) worst = report::worse_of(worst, std::abs(state.y[k] / digits[k] - 1.0));
   return worst;
 }
 

@@ -14,6 +14,7 @@
 #include <particulate/contact/located_contact.hpp>
 #include <particulate/kinematics/energy.hpp>
 #include <particulate/kinematics/momentum.hpp>
+#include <particulate/report/spread.hpp>
 #include <particulate/scenes/scene.hpp>
 #include <particulate/schemes/collocation.hpp>
 #include <particulate/schemes/error_control.hpp>
@@ -118,7 +119,8 @@ const Case random_addition_case{
         const double margin = to.inside == kinematics::Inside::spheres ? 1.0 : 0.0;
         double out = 0.0;
         for (Eigen::Index i = 0; i < N; ++i) {
-          out = std::max(out, (added.position.row(i).array() - 0.5).abs().maxCoeff() + margin * radius[i] - 0.5);
+          out =
+              report::worse_of(out, (added.position.row(i).array() - 0.5).abs().maxCoeff() + margin * radius[i] - 0.5);
         }
         rows.at_most(fmt::format("farthest outside the box [m], {}", name),
                      {.limit = eps, .computed = out, .because = "one rounding of the place"});
@@ -158,10 +160,10 @@ const Case kept{
         const double bulk = energy(state).bulk;
         double off = 0.0, bulk_off = 0.0, rise = 0.0, relative = energy(state).relative;
         const auto watch = [&](const schemes::State&, const schemes::State& to, double, const auto&) {
-          off = std::max(off, (kinematics::linear_momentum(mass, rows_of(to.v)) - momentum).norm());
+          off = report::worse_of(off, (kinematics::linear_momentum(mass, rows_of(to.v)) - momentum).norm());
           const kinematics::KineticEnergy now = energy(to);
-          bulk_off = std::max(bulk_off, std::abs(now.bulk - bulk) / bulk);
-          rise = std::max(rise, now.relative / relative - 1.0);
+          bulk_off = report::worse_of(bulk_off, std::abs(now.bulk - bulk) / bulk);
+          rise = report::worse_of(rise, now.relative / relative - 1.0);
           relative = now.relative;
           return true;
         };

@@ -13,6 +13,7 @@
 #include <particulate/contact/located_contact.hpp>
 #include <particulate/kinematics/energy.hpp>
 #include <particulate/kinematics/momentum.hpp>
+#include <particulate/report/spread.hpp>
 #include <particulate/scenes/checkpoint.hpp>
 #include <particulate/scenes/scene.hpp>
 #include <particulate/schemes/collocation.hpp>
@@ -204,7 +205,7 @@ double deepest_of_all(const Eigen::VectorXd& radius, const schemes::State& state
   for (Eigen::Index i = 0; i < radius.size(); ++i) {
     for (Eigen::Index j = 0; j < i; ++j) {
       const auto apart = [&](Eigen::Index axis) { return std::remainder(r(i, axis) - r(j, axis), 1.0); };
-      deepest = std::max(deepest, radius[i] + radius[j] - std::hypot(apart(0), apart(1), apart(2)));
+      deepest = report::worse_of(deepest, radius[i] + radius[j] - std::hypot(apart(0), apart(1), apart(2)));
     }
   }
   return deepest;

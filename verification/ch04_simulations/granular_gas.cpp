@@ -12,6 +12,7 @@
 
 #include <harness/case.hpp>
 #include <harness/motions.hpp>
+#include <particulate/report/spread.hpp>
 
 #include "granular_gas.hpp"
 
@@ -66,9 +67,9 @@ const Case elastic{
         const double n = static_cast<double>(outcome.impacts);
         rate.values.push_back(2.0 * n / static_cast<double>(N) / impacts);
         speed.values.push_back(fast / n / std::sqrt(std::numbers::pi * T));
-        energy_off = std::max(energy_off, std::abs(temperature(state) / T - 1.0));
-        momentum_off = std::max(momentum_off, rows_of(state.v).colwise().mean().cwiseAbs().maxCoeff());
-        overlap = std::max(overlap, outcome.overlap / of.diameter());
+        energy_off = report::worse_of(energy_off, std::abs(temperature(state) / T - 1.0));
+        momentum_off = report::worse_of(momentum_off, rows_of(state.v).colwise().mean().cwiseAbs().maxCoeff());
+        overlap = report::worse_of(overlap, outcome.overlap / of.diameter());
         for (const double v : state.v) {
           // The normal distribution's integral is even there.
           const double place = 0.5 * std::erfc(-v / std::sqrt(2.0 * T)) * static_cast<double>(bins);

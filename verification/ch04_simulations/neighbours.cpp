@@ -11,6 +11,7 @@
 #include <harness/case.hpp>
 #include <particulate/contact/contact.hpp>
 #include <particulate/kinematics/cells.hpp>
+#include <particulate/report/spread.hpp>
 #include <particulate/scenes/scene.hpp>
 
 #include "clouds.hpp"
@@ -160,7 +161,7 @@ const Case all_pairs{
           const auto there = exact.depth.find({touch.i, touch.j});
           wrong += there == exact.depth.end() ? 1 : 0;
           if (there != exact.depth.end()) {
-            worst = std::max(worst, static_cast<double>(std::abs(touch.overlap - there->second)));
+            worst = report::worse_of(worst, static_cast<double>(std::abs(touch.overlap - there->second)));
           }
         }
         rows.at_least(
@@ -176,7 +177,7 @@ const Case all_pairs{
         double off = 0.0;
         for (Eigen::Index i = 0; i < force.rows(); ++i) {
           const Wide error = (force.row(i).cast<Wide>() - exact.force.row(i)).norm();
-          off = std::max(off, static_cast<double>(error / std::max(exact.magnitude[i], Wide{1e-300})));
+          off = report::worse_of(off, static_cast<double>(error / std::max(exact.magnitude[i], Wide{1e-300})));
         }
         rows.at_most(fmt::format("forces over the sum of their magnitudes, {}", name),
                      {.limit = 16.0 * eps * (1.0 + extent / static_cast<double>(exact.nearest)),
@@ -366,8 +367,8 @@ const Case taper{{.name = "near_field_taper",
                      const double force = pair.forces(law)(0, 0);
                      const double u = std::clamp((d - 0.6) / 0.4, 0.0, 1.0), S = 1.0 - u * u * (3.0 - 2.0 * u);
                      const double given = S * (0.5 / d - 0.25 / (d * d));
-                     slope = std::max(slope, std::abs((4.0 * near - far) / 3.0 - given));
-                     beyond = std::max(beyond, std::abs(force - given));
+                     slope = report::worse_of(slope, std::abs((4.0 * near - far) / 3.0 - given));
+                     beyond = report::worse_of(beyond, std::abs(force - given));
                    }
                    rows.at_most("V' against S C [N]",
                                 {.limit = 2e-7,

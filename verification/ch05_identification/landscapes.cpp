@@ -13,6 +13,7 @@
 #include <harness/case.hpp>
 #include <harness/motions.hpp>
 #include <particulate/contact/contact.hpp>
+#include <particulate/report/spread.hpp>
 #include <particulate/scenes/history.hpp>
 #include <particulate/schemes/verlet.hpp>
 
@@ -126,7 +127,7 @@ const Case landscape{
             heights.add({T, at[0], at[1], of.values(k % size, k / size)});
           }
           if (T > 1.0) continue;
-          for (const Eigen::Vector2d& end : ends) off = std::max(off, (end - true_parameters().head(2)).norm());
+          for (const Eigen::Vector2d& end : ends) off = report::worse_of(off, (end - true_parameters().head(2)).norm());
         }
       }
       rows.write("landscape", heights);

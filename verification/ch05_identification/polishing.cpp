@@ -7,6 +7,7 @@
 
 #include <harness/case.hpp>
 #include <particulate/identification/polishing.hpp>
+#include <particulate/report/spread.hpp>
 #include <particulate/report/table.hpp>
 
 #include "test_functions.hpp"
@@ -40,8 +41,10 @@ const Case roots{
         const TestFunction one = rastrigin(2 + n % 7), other = rosenbrock(2 + n % 7);
         const Eigen::VectorXd x = places.in(one.box), y = places.in(other.box);
         const double printed = rastrigin_as_printed(x), valley = rosenbrock_as_printed(y);
-        off_rastrigin = std::max(off_rastrigin, std::abs(one.residuals(x).squaredNorm() - printed));
-        off_rosenbrock = std::max(off_rosenbrock, std::abs(other.residuals(y).squaredNorm() / valley - 1.0));
+        off_rastrigin =
+            particulate::report::worse_of(off_rastrigin, std::abs(one.residuals(x).squaredNorm() - printed));
+        off_rosenbrock =
+            particulate::report::worse_of(off_rosenbrock, std::abs(other.residuals(y).squaredNorm() / valley - 1.0));
       }
       rows.at_most("Rastrigin, 2 to 8 parameters, difference",
                    {.limit = 1e-12,

@@ -15,6 +15,7 @@
 #include <harness/starts.hpp>
 #include <particulate/identification/near_field_shape.hpp>
 #include <particulate/kinematics/breathing.hpp>
+#include <particulate/report/spread.hpp>
 
 #include "fits.hpp"
 
@@ -206,8 +207,8 @@ const Case given_exponents{
       for (int seed = 0; seed < clouds.seeds; ++seed) {
         const Residuals residuals = clouds.residuals(rows.case_seed() + static_cast<std::uint64_t>(seed));
         const Eigen::ArrayXd off = fit(residuals, box_about(start, 0.9), start) - truth;
-        worst = std::max(worst, off.abs().maxCoeff());
-        over_bar = std::max(over_bar, (off / of.deviation.array()).abs().maxCoeff());
+        worst = report::worse_of(worst, off.abs().maxCoeff());
+        over_bar = report::worse_of(over_bar, (off / of.deviation.array()).abs().maxCoeff());
       }
       rows.at_most("largest error of ln alpha1 and ln alpha2 [-]",
                    {.limit = 0.01, .computed = worst, .because = "what the chapter claims"});

@@ -14,6 +14,7 @@
 
 #include <harness/case.hpp>
 #include <particulate/contact/impulse_windows.hpp>
+#include <particulate/report/spread.hpp>
 #include <particulate/schemes/verlet.hpp>
 #include <particulate/thermo/clusters.hpp>
 
@@ -67,7 +68,7 @@ const Case clustering{
         const kinematics::Particles start = warmed(book_cloud(1000, rows.case_seed() + seed));
         const Flown with = fly(start, bonds, strongest, book_step, 1.0);
         const Flown without = fly(start, no_bonds, strongest, book_step, 1.0);
-        energy = std::max(energy, relative_energy(start, with.end) / relative_energy(start, without.end));
+        energy = report::worse_of(energy, relative_energy(start, with.end) / relative_energy(start, without.end));
         warming = std::min(warming, with.warming() / without.warming());
         linked = std::min(linked, thermo::find_clusters({}, rows_of(with.end.r), 0.07).linked_share());
       }
@@ -195,9 +196,9 @@ const Case obstacle{
         double force_without, force_with;
         const contact::WindowImpulse without = on_obstacle(rows.case_seed() + seed, false, force_without);
         const contact::WindowImpulse with = on_obstacle(rows.case_seed() + seed, true, force_with);
-        largest = std::max(largest, with.largest / without.largest);
-        force = std::max(force, force_with / force_without);
-        whole = std::max(whole, (with.normal + with.tangential) / (without.normal + without.tangential));
+        largest = report::worse_of(largest, with.largest / without.largest);
+        force = report::worse_of(force, force_with / force_without);
+        whole = report::worse_of(whole, (with.normal + with.tangential) / (without.normal + without.tangential));
       }
       const char* because = "lower in every seed";
       rows.at_most("largest impulse, charged over not, worst seed",
@@ -239,7 +240,7 @@ const Case two_clouds{
       double slow = 1.0, fast = 0.0;
       for (std::uint64_t seed = 0; seed < (rows.quick() ? 1u : 8u); ++seed) {
         for (const double U : {1.0, 2.0}) slow = std::min(slow, merged(rows.case_seed() + seed, U));
-        fast = std::max(fast, merged(rows.case_seed() + seed, 8.0));
+        fast = report::worse_of(fast, merged(rows.case_seed() + seed, 8.0));
       }
       rows.at_least("least share of the largest part, U = 1 and 2 m/s",
                     {.limit = 0.95, .computed = slow, .because = "all but stragglers"});

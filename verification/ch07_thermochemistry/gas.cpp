@@ -11,6 +11,7 @@
 
 #include <harness/case.hpp>
 #include <particulate/contact/located_contact.hpp>
+#include <particulate/report/spread.hpp>
 #include <particulate/schemes/verlet.hpp>
 
 #include "../ch04_simulations/granular_gas.hpp"
@@ -68,7 +69,7 @@ const Case theory{
             std::numbers::pi * (1.0 + of.e) * N * s * s * of.pair_correlation() * T_0 * tau * x / (1.0 + x);
         const double expected = weak.kappa * std::numbers::pi * radius * radius / weak.J_star * impulse;
         ratio.values.push_back(sums.released / N / expected);
-        off = std::max(off, std::abs(sums.dissipated / (1.5 * N * (T_0 - temperature(state))) - 1.0));
+        off = report::worse_of(off, std::abs(sums.dissipated / (1.5 * N * (T_0 - temperature(state))) - 1.0));
       }
       rows.compare("mean heat of the reaction over (kappa pi b^2/J*) (1/N) sum J of theory",
                    {.expected = 1.0,

@@ -12,6 +12,7 @@
 
 #include <harness/case.hpp>
 #include <particulate/contact/located_contact.hpp>
+#include <particulate/report/spread.hpp>
 #include <particulate/schemes/collocation.hpp>
 #include <particulate/schemes/phi_family.hpp>
 #include <particulate/schemes/verlet.hpp>
@@ -114,7 +115,8 @@ const Case contacts{
           const Heats heat = heats_of(of, {.kappa = 0.4, .J_star = 0.5});
           const double size = kinematics::kinetic_energy(of.pair.mass, of.pair.velocity) + heat.by_temperatures +
                               of.pair.mass.cwiseProduct(of.pair.heat_capacity).dot(of.pair.temperature);
-          motion_off = std::max(motion_off, std::abs(heat.by_temperatures - heat.by_motion - heat.reaction) / size);
+          motion_off =
+              report::worse_of(motion_off, std::abs(heat.by_temperatures - heat.by_motion - heat.reaction) / size);
           formulas_off =
               std::max(formulas_off, std::abs(heat.by_temperatures - heat.by_formulas - heat.reaction) / size);
           least = std::min(least, heat.by_temperatures - heat.reaction);

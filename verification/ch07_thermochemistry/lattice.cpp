@@ -15,6 +15,7 @@
 #include <harness/motions.hpp>
 #include <particulate/kinematics/central_force.hpp>
 #include <particulate/laws/near_field.hpp>
+#include <particulate/report/spread.hpp>
 #include <particulate/scenes/scene.hpp>
 
 namespace verification::lattice {
@@ -184,7 +185,7 @@ const Case cubic{
             const double phase = 2.0 * std::numbers::pi / n * R.dot(Eigen::Vector3d(number[0], number[1], number[2]));
             laplacian += (1.0 - std::cos(phase)) * 0.5 / (d * d);
           }
-          sum_off = std::max(sum_off, std::abs(values.sum() / laplacian - 1.0));
+          sum_off = report::worse_of(sum_off, std::abs(values.sum() / laplacian - 1.0));
           shown.add({fmt::format("{} {} {}", number[0], number[1], number[2]), radius, values[0], values[1], values[2],
                      values.sum()});
         }

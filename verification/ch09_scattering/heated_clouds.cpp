@@ -126,7 +126,8 @@ const Case jump_by_jump{
           for (const double length : {0.31 * edge_of_cube, 0.77 * edge_of_cube, 1e9 * edge_of_cube}) {
             const Traced stopped = traced_by(tracer, cloud, rays, {.least_share = 0.2, .path_length = length});
             const Eigen::VectorXd theta = warmed_by(bodies, cold, stopped.absorbed);
-            off = std::max(off, (theta - after_jumps(bodies, cold, jumps, length / 299792458.0)).cwiseAbs().maxCoeff());
+            off = report::worse_of(
+                off, (theta - after_jumps(bodies, cold, jumps, length / 299792458.0)).cwiseAbs().maxCoeff());
           }
           rows.compare(fmt::format("{}, {}: largest difference of a temperature at three times [K]", what, tracer.name),
                        {.expected = 0.0,

@@ -13,6 +13,7 @@
 
 #include <harness/case.hpp>
 #include <harness/uniform.hpp>
+#include <particulate/report/spread.hpp>
 #include <particulate/scattering/interface.hpp>
 
 namespace verification::interfaces {
@@ -57,7 +58,8 @@ double units_off(const Law& law, double edge) {
   for (const double c : cosines(edge)) {
     const Wide exact = printed(law, c);
     const double nearest = exact.template convert_to<double>(), unit = std::nextafter(nearest, 2.0) - nearest;
-    worst = std::max(worst, Wide(abs(Wide(reflectance(law, c)) - exact) / unit).template convert_to<double>());
+    worst = particulate::report::worse_of(
+        worst, Wide(abs(Wide(reflectance(law, c)) - exact) / unit).template convert_to<double>());
   }
   return worst;
 }

@@ -11,6 +11,7 @@
 
 #include <harness/case.hpp>
 #include <harness/uniform.hpp>
+#include <particulate/report/spread.hpp>
 #include <particulate/report/table.hpp>
 #include <particulate/scattering/beam.hpp>
 #include <particulate/scattering/placement.hpp>
@@ -100,12 +101,12 @@ const Case size{
                 place_spheres(1000, 0.1 * L, {.inside = kinematics::Inside::spheres}, draw).bodies, {});
             const Rays rays = rays_of({.centre = {0.0, 0.5, 0.5}, .width = 0.5}, 1000, draw);
             const Ledger ledger = trace(cloud, law, rays).ledger;
-            off = std::max(off, std::abs(x_share(cloud, law, rays, true) - ledger.x / ledger.incident));
+            off = report::worse_of(off, std::abs(x_share(cloud, law, rays, true) - ledger.x / ledger.incident));
             const double change = x_share(cloud, law, rays, false) - ledger.x / ledger.incident;
             sum += change / clouds, squares += change * change / clouds, x += ledger.x / ledger.incident / clouds;
           }
           table.add({n_hat, L, x, sum, std::sqrt((squares - sum * sum) / (clouds - 1))});
-          largest = std::max(largest, std::abs(sum));
+          largest = report::worse_of(largest, std::abs(sum));
         }
       }
       rows.compare("the same tracer, made to forget polarization: largest difference from the library",

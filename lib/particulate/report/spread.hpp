@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <utility>
 #include <vector>
@@ -30,6 +31,13 @@ Spread spread_over(const std::vector<T>& all, const Number& number) {
   for (const T& one : all) numbers.push_back(std::invoke(number, one));
   return spread_of(std::move(numbers));
 }
+
+/// The larger of two errors. One that is not a number is larger than all others, and stays: std::max would lose it.
+///
+/// @param worst  so far
+/// @param error  another
+/// @return the worse of the two
+inline double worse_of(double worst, double error) { return std::isnan(worst) || error <= worst ? worst : error; }
 
 /// Of several independent numbers the mean, and how far it is likely to be off.
 struct Mean {
