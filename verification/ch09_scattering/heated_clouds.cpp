@@ -219,8 +219,7 @@ const Case against_cvode{
 const Case cloud_rise{
     {.name = "cloud_after_pulse",
      .claim = "the cloud of figures 9.13 to 9.18 becomes warmer by 100 K, its hottest sphere by ten times as much, "
-              "which few "
-              "rays exaggerate",
+              "which few rays exaggerate",
      .equation = "R 9.5",
      .reference = Reference::independent_method},
     [](Rows& rows) {
@@ -242,7 +241,8 @@ const Case cloud_rise{
         hottest.push_back(rise.maxCoeff() / rise.mean());
       }
       const Mean of_mean = mean_of(mean), of_few = mean_of(few_hottest), of_hottest = mean_of(hottest);
-      // What the prototype found is absorbed, over rho c of all spheres; the last digit it gave counts as its error.
+      // What an independent prototype found is absorbed, over rho c of all spheres; the last digit it gave counts as
+      // its error.
       const double rise_of_all =
           fluence * 0.25 * edge_of_cube * edge_of_cube / (rho_c * 4.0 / 3.0 * pi * std::pow(0.325 * edge_of_cube, 3));
       rows.compare("mean rise [K]",
@@ -255,7 +255,7 @@ const Case cloud_rise{
                      {.expected = expected,
                       .computed = found.value,
                       .tolerance = absolute(1.0),
-                      .because = "the prototype's digits, for many rays in their limit"});
+                      .because = "the digits of an independent prototype, for many rays in their limit"});
       };
       hottest_row(1000, 14.0, of_few);
       hottest_row(many, 10.0, of_hottest);
