@@ -1,0 +1,115 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <particulate/continuum/equation_of_state.hpp>
+#include <particulate/continuum/viscosity.hpp>
+#include <particulate/fluid/boundary.hpp>
+#include <particulate/schemes/problem.hpp>
+
+/// @file
+/// A compressible, viscous fluid on a grid, in fluxes that conserve what they should: a problem of first order.
+
+namespace particulate::fluid {
+
+/// What a fluid is made of.
+template <class EquationOfState, class Viscosity = continuum::ConstantViscosity>
+struct Fluid {
+  EquationOfState state = {};          ///< its pressure
+  Viscosity viscosity = {};            ///< mu
+  double lambda_over_mu = -2.0 / 3.0;  ///< second viscosity over the first, >= -2/3 [-]
+  double c = 4000.0;                   ///< heat capacity per mass, > 0; barotropic: none [J/(kg K)]
+  double K = 0.6;                      ///< heat conductivity, >= 0; barotropic: none [W/(m K)]
+};
+
+/// Whether an equation of state asks for a temperature.
+template <class EquationOfState>
+concept HasTemperature = requires(const EquationOfState& law, double x) {
+  { pressure(law, x, x) } -> std::same_as<double>;
+};
+
+/// A fluid in a box: density, momentum and, unless it is barotropic, energy of each cell.
+///
+/// \f[ \frac{d}{dt} \begin{pmatrix} \rho \\ \rho v \\ E \end{pmatrix}_{cell}
+///     = -\sum_a \frac{f^a_{+1/2} - f^a_{-1/2}}{h_a}, \qquad E = \rho \left(c\,\theta + \tfrac12 v^2\right) \f]
+///
+/// Between the cells 0 and 1, with bars for means and the normal a,
+///
+/// \f[ m = \bar\rho\, \bar u_a, \qquad f_i = m\, \bar u_i + \bar P\, \delta_{ia} - \tau_{ia}, \qquad
+///     f_E = m \left(c \tfrac{\theta_0 + \theta_1}2 + \tfrac12 u_0 \cdot u_1\right)
+///     + \tfrac12 (u_{a0} P_1 + u_{a1} P_0) - \tau_{ia} \bar u_i - K \frac{\theta_1 - \theta_0}{h_a} \f]
+///
+/// @equation{D 8.2} Beyond the monograph: its central differences, split so that they conserve mass, momentum and
+/// energy, and make no kinetic energy by convection (Kennedy and Gruber). Stresses and conduction stand at the same
+/// faces: normal differences across them, transverse ones as means of central differences. Order 2 in h.
+///
+/// Its state is y = (rho | rho v | E), field by field, x fastest.
+/// @tparam Dim  1, 2 or 3
+template <int Dim, class EquationOfState, class Viscosity = continuum::ConstantViscosity>
+class Flow {
+ public:
+  static constexpr bool has_heat = HasTemperature<EquationOfState>;  ///< whether there is an E
+  static constexpr int fields = 1 + Dim + (has_heat ? 1 : 0);        ///< numbers of a cell
+
+  /// @param grid        at least four cells in each direction
+  /// @param fluid       its laws
+  /// @param boundaries  of all faces
+  /// @param threads     that share the cells, 1 to 1024; the same bits for any number
+  /// @throws std::invalid_argument naming what cannot be meant, what must hold and what was given
+  Flow(Grid<Dim> grid, Fluid<EquationOfState, Viscosity> fluid, Boundaries<Dim> boundaries, int threads = 1);
+
+  /// @param t   time, for boundaries that are given [s]
+  /// @param y   state
+  /// @param dy  receives its rate
+  /// @return whether there is one: densities and temperatures are positive, all is finite
+  bool rate(double t, schemes::In y, schemes::Out dy) const;
+  /// @param at  a state
+  /// @return times of sound carried along, and of what diffuses
+  std::vector<schemes::TimeScale> step_limits(const schemes::State& at) const;
+  /// @param at  a state
+  /// @return which cell has no value, and of what
+  std::string why_no_value(const schemes::State& at) const;
+  /// @return density, momentum and energy
+  std::vector<schemes::Range> ranges() const;
+
+  /// A start.
+  ///
+  /// @param fluid  at a place
+  /// @return the state at t = 0 with that at the middle of each cell
+  /// @throws std::invalid_argument naming the place where it cannot be
+  schemes::State start(const std::function<Local<Dim>(const Vector<Dim>& x)>& fluid) const;
+  /// @param at    a state
+  /// @param cell  of the grid, by its number
+  /// @return what is there
+  Local<Dim> local(const schemes::State& at, Eigen::Index cell) const;
+
+  const Grid<Dim>& grid() const { return grid_; }                            ///< the grid
+  const Fluid<EquationOfState, Viscosity>& fluid() const { return fluid_; }  ///< the laws
+
+ private:
+  struct Scratch;
+  struct Row;
+
+  double pressure_of(double rho, double theta) const;
+  bool fill_cells(schemes::In y) const;
+  void fill_ghosts(double t) const;
+  void fill_face(double t, int face) const;
+  void add_rows(Eigen::Index first, Eigen::Index last, double* dy) const;
+  template <int a>
+  void fluxes(Eigen::Index first, Eigen::Index count, double work, double* f) const;
+  double work_at(int face) const;
+  Local<Dim> local_of(const double* numbers) const;
+
+  Grid<Dim> grid_;
+  Fluid<EquationOfState, Viscosity> fluid_;
+  Boundaries<Dim> boundaries_;
+  int threads_;
+  // Padded by a cell beyond each face: density, velocity, pressure, then temperature and a viscosity that varies.
+  std::array<Eigen::Index, 3> stride_{}, cells_{}, ghosts_{};  // one in a direction that is not there
+  Eigen::Index padded_ = 0;
+  mutable std::vector<double> cells_with_ghosts_;
+};
+
+}  // namespace particulate::fluid
