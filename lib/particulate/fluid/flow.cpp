@@ -65,7 +65,7 @@ void validate(const Boundaries<Dim>& boundaries, bool has_heat) {
 }
 
 template <int Dim, class E, class V>
-Flow<Dim, E, V>::Flow(Grid<Dim> grid, Fluid<E, V> fluid, Boundaries<Dim> boundaries, int threads)
+Flow<Dim, E, V>::Flow(Grid<Dim> grid, Fluid<E, V> fluid, Boundaries<Dim> boundaries, int threads, laws::Kernel)
     : grid_(std::move(grid)), fluid_(std::move(fluid)), boundaries_(std::move(boundaries)), threads_(threads) {
   validate(grid_);
   validate(fluid_.state);
@@ -88,7 +88,7 @@ Flow<Dim, E, V>::Flow(Grid<Dim> grid, Fluid<E, V> fluid, Boundaries<Dim> boundar
     stride_[a] = padded_;
     padded_ *= cells_[a] + 2 * ghosts_[a];
   }
-  cells_with_ghosts_.assign(static_cast<std::size_t>(padded_ * (fields + 1 + (varies<V> ? 1 : 0))), 0.0);
+  cells_with_ghosts_.assign(static_cast<std::size_t>(padded_ * (numbers + 1 + (varies<V> ? 1 : 0))), 0.0);
 }
 
 template <int Dim, class E, class V>
@@ -107,7 +107,7 @@ bool Flow<Dim, E, V>::fill_cells(schemes::In y) const {
   double* const rho = cells_with_ghosts_.data();
   double* const P = rho + (Dim + 1) * padded_;
   [[maybe_unused]] double* const theta = rho + (Dim + 2) * padded_;
-  [[maybe_unused]] double* const mu = rho + (fields + 1) * padded_;
+  [[maybe_unused]] double* const mu = rho + (numbers + 1) * padded_;
   int bad = 0;
 #pragma omp parallel for schedule(static) reduction(+ : bad) num_threads(threads_) if (threads_ > 1)
   for (Eigen::Index row = 0; row < cells_[1] * cells_[2]; ++row) {
@@ -158,7 +158,7 @@ void Flow<Dim, E, V>::fill_face(double t, int face) const {
   const Eigen::Index inwards = (high ? -1 : 1) * stride_[axis], around = (high ? -n : n) * stride_[axis];
   const Boundary<Dim>& boundary = boundaries_[static_cast<std::size_t>(face)];
   double* const data = cells_with_ghosts_.data();
-  constexpr int numbers = fields + 1 + (varies<V> ? 1 : 0);
+  constexpr int kept = numbers + 1 + (varies<V> ? 1 : 0);
   std::array<Eigen::Index, 3> cell{};
   for (cell[2] = low[2]; cell[2] < end[2]; ++cell[2]) {
     for (cell[1] = low[1]; cell[1] < end[1]; ++cell[1]) {
@@ -169,7 +169,7 @@ void Flow<Dim, E, V>::fill_face(double t, int face) const {
         const auto in = [&](int f) { return data[at + inwards + f * padded_]; };
         const auto next = [&](int f) { return data[at + 2 * inwards + f * padded_]; };
         if (std::holds_alternative<Periodic>(boundary)) {
-          for (int f = 0; f < numbers; ++f) q(f) = data[at + around + f * padded_];
+          for (int f = 0; f < kept; ++f) q(f) = data[at + around + f * padded_];
         } else if (const auto* wall = std::get_if<Wall<Dim>>(&boundary)) {
           q(0) = in(0);
           for (int c = 0; c < Dim; ++c)
@@ -189,7 +189,7 @@ void Flow<Dim, E, V>::fill_face(double t, int face) const {
           if constexpr (has_heat) q(Dim + 2) = there.theta;
           if constexpr (varies<V>) q(Dim + 3) = viscosity(fluid_.viscosity, there.theta);
         } else {
-          for (int f = 0; f < numbers; ++f) q(f) = 2.0 * in(f)-next(f);
+          for (int f = 0; f < kept; ++f) q(f) = 2.0 * in(f)-next(f);
           q(Dim + 1) = 2.0 * std::get<Outflow>(boundary).P - in(Dim + 1);
         }
       }
@@ -211,7 +211,7 @@ void Flow<Dim, E, V>::fluxes(Eigen::Index first, Eigen::Index count, double work
   const double* const rho = cells_with_ghosts_.data() + first;
   const double* const P = rho + (Dim + 1) * padded_;
   [[maybe_unused]] const double* const theta = rho + (Dim + 2) * padded_;
-  [[maybe_unused]] const double* const viscosities = rho + (fields + 1) * padded_;
+  [[maybe_unused]] const double* const viscosities = rho + (numbers + 1) * padded_;
   const double over_h = 1.0 / grid_.h(a), second = fluid_.lambda_over_mu;
   std::array<double, 3> quarter{};
   for (int b = 0; b < Dim; ++b) quarter[static_cast<std::size_t>(b)] = 0.25 / grid_.h(b);
@@ -263,10 +263,10 @@ void Flow<Dim, E, V>::add_rows(Eigen::Index first, Eigen::Index last, double* dy
   const auto padded = [&](Eigen::Index j, Eigen::Index k) {
     return ghosts_[0] + (j + ghosts_[1]) * stride_[1] + (k + ghosts_[2]) * stride_[2];
   };
-  std::vector<double> along((n + 1) * fields), low(n * fields), high(n * fields),
-      below(Dim > 2 ? n * fields * cells_[1] : 0);
+  std::vector<double> along((n + 1) * numbers), low(n * numbers), high(n * numbers),
+      below(Dim > 2 ? n * numbers * cells_[1] : 0);
   const auto subtract = [&](const double* before, const double* after, double over_h, Eigen::Index row) {
-    for (int f = 0; f < fields; ++f) {
+    for (int f = 0; f < numbers; ++f) {
       for (Eigen::Index i = 0; i < n; ++i) dy[row * n + i + f * N] -= (after[i + f * n] - before[i + f * n]) * over_h;
     }
   };
@@ -281,12 +281,12 @@ void Flow<Dim, E, V>::add_rows(Eigen::Index first, Eigen::Index last, double* dy
     fluxes<0>(padded(j, k) - 1, n + 1, 1.0, along.data());
     for (const int face : {0, 1}) {
       if (work_at(face) == 1.0) continue;
-      std::array<double, fields> alone{};
+      std::array<double, numbers> alone{};
       fluxes<0>(padded(j, k) + face * n - 1, 1, work_at(face), alone.data());
-      for (int f = 0; f < fields; ++f)
+      for (int f = 0; f < numbers; ++f)
         along[static_cast<std::size_t>(face * n + f * (n + 1))] = alone[static_cast<std::size_t>(f)];
     }
-    for (int f = 0; f < fields; ++f) {
+    for (int f = 0; f < numbers; ++f) {
       const double* const flux = along.data() + f * (n + 1);
       const double over_h = 1.0 / grid_.h(0);
       for (Eigen::Index i = 0; i < n; ++i) dy[row * n + i + f * N] = (flux[i] - flux[i + 1]) * over_h;
@@ -298,7 +298,7 @@ void Flow<Dim, E, V>::add_rows(Eigen::Index first, Eigen::Index last, double* dy
       low.swap(high);
     }
     if constexpr (Dim > 2) {
-      double* const under = below.data() + j * n * fields;
+      double* const under = below.data() + j * n * numbers;
       if (row - first < cells_[1]) z_flux(j, k, under);
       z_flux(j, k + 1, high.data());
       subtract(under, high.data(), 1.0 / grid_.h(2), row);
@@ -321,6 +321,22 @@ bool Flow<Dim, E, V>::rate(double t, schemes::In y, schemes::Out dy) const {
 }
 
 template <int Dim, class E, class V>
+schemes::Part Flow<Dim, E, V>::part(std::size_t k) const {
+  const schemes::Range range = ranges()[k];
+  return {.first = range.first, .size = range.size};
+}
+
+template <int Dim, class E, class V>
+bool Flow<Dim, E, V>::solve(std::size_t k, const schemes::State& from, double dt, const schemes::State& seen,
+                            schemes::State& to) const {
+  rates_.resize(seen.y.size());
+  if (!rate(from.t + dt, seen.y, rates_)) return false;
+  const schemes::Part own = part(k);
+  to.y.segment(own.first, own.size) = from.y.segment(own.first, own.size) + dt * rates_.segment(own.first, own.size);
+  return true;
+}
+
+template <int Dim, class E, class V>
 Local<Dim> Flow<Dim, E, V>::local(const schemes::State& at, Eigen::Index cell) const {
   const Eigen::Index N = grid_.size();
   Local<Dim> here{.rho = at.y[cell]};
@@ -332,7 +348,7 @@ Local<Dim> Flow<Dim, E, V>::local(const schemes::State& at, Eigen::Index cell) c
 template <int Dim, class E, class V>
 schemes::State Flow<Dim, E, V>::start(const std::function<Local<Dim>(const Vector<Dim>& x)>& fluid) const {
   const Eigen::Index N = grid_.size();
-  schemes::State state{.y = Eigen::VectorXd(N * fields)};
+  schemes::State state{.y = Eigen::VectorXd(N * numbers)};
   std::array<Eigen::Index, Dim> cell{};
   for (Eigen::Index n = 0; n < N; ++n) {
     Eigen::Index rest = n;
@@ -407,6 +423,7 @@ template class Flow<3, continuum::LinearizedState>;
 template class Flow<1, continuum::IdealGas>;
 template class Flow<2, continuum::IdealGas>;
 template class Flow<3, continuum::IdealGas>;
-template class Flow<1, continuum::LinearizedState, continuum::ExponentialViscosity>;
+template class Flow<2, continuum::LinearizedState, continuum::ExponentialViscosity>;
+template class Flow<3, continuum::LinearizedState, continuum::ExponentialViscosity>;
 
 }  // namespace particulate::fluid

@@ -7,6 +7,7 @@
 #include <particulate/continuum/equation_of_state.hpp>
 #include <particulate/continuum/viscosity.hpp>
 #include <particulate/fluid/boundary.hpp>
+#include <particulate/laws/near_field.hpp>
 #include <particulate/schemes/problem.hpp>
 
 /// @file
@@ -51,14 +52,16 @@ template <int Dim, class EquationOfState, class Viscosity = continuum::ConstantV
 class Flow {
  public:
   static constexpr bool has_heat = HasTemperature<EquationOfState>;  ///< whether there is an E
-  static constexpr int fields = 1 + Dim + (has_heat ? 1 : 0);        ///< numbers of a cell
+  static constexpr int numbers = 1 + Dim + (has_heat ? 1 : 0);       ///< of a cell in the state
 
   /// @param grid        at least four cells in each direction
   /// @param fluid       its laws
   /// @param boundaries  of all faces
   /// @param threads     that share the cells, 1 to 1024; the same bits for any number
+  /// @param kernel      the code that adds the fluxes; one kernel gives the same bits every time
   /// @throws std::invalid_argument naming what cannot be meant, what must hold and what was given
-  Flow(Grid<Dim> grid, Fluid<EquationOfState, Viscosity> fluid, Boundaries<Dim> boundaries, int threads = 1);
+  Flow(Grid<Dim> grid, Fluid<EquationOfState, Viscosity> fluid, Boundaries<Dim> boundaries, int threads = 1,
+       laws::Kernel kernel = laws::Kernel::best);
 
   /// @param t   time, for boundaries that are given [s]
   /// @param y   state
@@ -73,6 +76,24 @@ class Flow {
   std::string why_no_value(const schemes::State& at) const;
   /// @return density, momentum and energy
   std::vector<schemes::Range> ranges() const;
+
+  /// @return how many fields a staggering scheme solves in turn: density, momentum and, if there is one, energy
+  std::size_t fields() const { return has_heat ? 3 : 2; }
+  /// @param k  which field
+  /// @return where it stands in y
+  schemes::Part part(std::size_t k) const;
+  /// One field, one step of Euler's, the others frozen. @see schemes::StaggeredProblem
+  ///
+  /// @equation{R 8.4} \f$ y_k(t + \Delta t) = y_k(t) + \Delta t\,\dot y_k(t + \Delta t, y) \f$, with y as the sweep has
+  /// it
+  /// @param k     which field
+  /// @param from  state at the start of the step
+  /// @param dt    step [s]
+  /// @param seen  the newest values of all fields
+  /// @param to    receives the field
+  /// @return whether there is a rate
+  bool solve(std::size_t k, const schemes::State& from, double dt, const schemes::State& seen,
+             schemes::State& to) const;
 
   /// A start.
   ///
@@ -110,6 +131,18 @@ class Flow {
   std::array<Eigen::Index, 3> stride_{}, cells_{}, ghosts_{};  // one in a direction that is not there
   Eigen::Index padded_ = 0;
   mutable std::vector<double> cells_with_ghosts_;
+  mutable Eigen::VectorXd rates_;  // of a sweep
 };
+
+/// What is compiled once, in the library; another combination does not link.
+template <int Dim>
+using BarotropicFlow = Flow<Dim, continuum::Barotropic>;
+template <int Dim>
+using LiquidFlow = Flow<Dim, continuum::LinearizedState>;  ///< its pressure hardly asks for its temperature
+template <int Dim>
+using GasFlow = Flow<Dim, continuum::IdealGas>;  ///< the only law for which c theta is all of its inner energy
+/// A liquid that is thinner where it is warmer: in two and three dimensions.
+template <int Dim>
+using ThinningFlow = Flow<Dim, continuum::LinearizedState, continuum::ExponentialViscosity>;
 
 }  // namespace particulate::fluid
