@@ -3,15 +3,18 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include <harness/case.hpp>
 #include <particulate/fluid/flow.hpp>
+#include <particulate/schemes/fixed_step.hpp>
 #include <particulate/schemes/fixed_sweeps.hpp>
 #include <particulate/schemes/integrate.hpp>
 #include <particulate/schemes/runge_kutta.hpp>
@@ -305,6 +308,142 @@ const Case diffusion{
       check("conduction",
             Alternating<continuum::LinearizedState>{
                 .flow = boxed<1>(liquid, 4, 0.0, 500.0), .field = 2, .rate = 64.0 * 500.0 / (rho_R * 2500.0)});
+    }};
+
+// A map of states that leaves one unmoved, as a matrix: what becomes of a small change of each number, by central
+// differences in units that make densities, momenta and energies alike.
+using Map = std::function<void(const schemes::State& from, schemes::State& to)>;
+Eigen::MatrixXd linearized(const Map& map, const schemes::State& at, const Eigen::VectorXd& units) {
+  constexpr double small = 1e-5;
+  const Eigen::Index N = at.y.size();
+  Eigen::MatrixXd columns(N, N);
+  schemes::State moved = at, up, down;
+  for (Eigen::Index i = 0; i < N; ++i) {
+    moved.y[i] = at.y[i] + small * units[i];
+    map(moved, up);
+    moved.y[i] = at.y[i] - small * units[i];
+    map(moved, down);
+    moved.y[i] = at.y[i];
+    columns.col(i) = ((up.y - down.y).array() / (2.0 * small * units.array())).matrix();
+  }
+  return columns;
+}
+
+// Growth at each application of a matrix, in the mean of 2^26: above its spectral radius by 1e-7 at most.
+double growth_of(Eigen::MatrixXd A) {
+  double logarithm = 0.0, applied = 1.0;
+  for (int k = 0; k <= 26; ++k) {
+    const double size = A.norm();
+    logarithm += std::log(size) / applied;
+    A = ((A / size) * (A / size)).eval();
+    applied *= 2.0;
+  }
+  return std::exp(logarithm);
+}
+
+// A gas that drifts as a whole; c = 17 m/s.
+template <int Dim>
+struct Drifting {
+  fluid::GasFlow<Dim> flow;
+  schemes::State at;
+  Eigen::VectorXd units;
+
+  Drifting(double mach, double mu, double K)
+      : flow(boxed<Dim>(continuum::IdealGas{.R = 1.0}, Dim == 1 ? 8 : 4, mu, K)) {
+    at = flow.start([=](const auto&) {
+      fluid::Local<Dim> here{.rho = 1.0};
+      for (int a = 0; a < Dim; ++a) here.v[a] = mach * std::sqrt(300.0) / (1.0 + a);
+      return here;
+    });
+    const Eigen::Index N = flow.grid().size();
+    units.resize(at.y.size());
+    units.head(N).setConstant(1.0);
+    units.segment(N, Dim * N).setConstant(std::sqrt(300.0));
+    units.tail(N).setConstant(2500.0 * 300.0);
+  }
+  // The time scale of that name.
+  double scale(std::string_view name) const {
+    for (const schemes::TimeScale& each : flow.step_limits(at)) {
+      if (each.name.starts_with(name)) return each.seconds;
+    }
+    return std::numeric_limits<double>::infinity();
+  }
+  // The largest fixed step that is not refused.
+  template <class S, class C>
+  double workable(S scheme, C control) const {
+    schemes::State state = at;
+    control.step = 1e6;
+    return schemes::integrate(flow, state, 1e6, scheme, control).workable_step;
+  }
+  double growth(Step step, double dt) const {
+    const schemes::Problem problem(flow);
+    return growth_of(linearized([&](const auto& from, auto& to) { step(problem, from, dt, to); }, at, units));
+  }
+  // Of sweeps: what becomes of a change of the values that they see.
+  double contraction(double dt) const {
+    const schemes::Problem problem(flow);
+    const auto sweep = [&](const schemes::State& seen, schemes::State& to) {
+      schemes::Staggered scheme = in_turn(true);
+      (void)scheme.predict(problem, at, dt, to);
+      to.y = seen.y;
+      if (!scheme.sweep(problem, at, dt, to).evaluated) throw std::runtime_error("a sweep without a value");
+    };
+    return growth_of(linearized(sweep, at, units));
+  }
+};
+
+// The worst over streams and over how much of the step viscosity and conduction ask for themselves.
+template <int Dim, class Seen>
+double worst_of(const std::vector<double>& machs, Seen&& seen) {
+  double worst = 0.0;
+  for (const double mach : machs) {
+    for (const double viscous : {0.0, 0.03, 0.3, 1.0, 3.0}) {
+      for (const double conducts : {0.0, 0.3, 1.0}) {
+        const Drifting<Dim> unit(mach, 1.0, 1.0);
+        const double sound = unit.scale("sound");
+        const Drifting<Dim> flow(mach, viscous * unit.scale("viscosity") / sound,
+                                 conducts * unit.scale("conduction") / sound);
+        const double growth = seen(flow);
+        if (!(growth <= worst)) worst = growth;
+      }
+    }
+  }
+  return worst;
+}
+
+template <int Dim>
+void scan(Rows& rows) {
+  const auto compare = [&](const std::string& name, const std::vector<double>& machs, auto seen) {
+    rows.at_most(fmt::format("{}-D, {}, just within the limit", Dim, name),
+                 {.limit = 1.0 + 1e-6,
+                  .computed = worst_of<Dim>(machs, seen),
+                  .because = "differences of 1e-5, and the mean of 2^26 applications"});
+  };
+  const std::vector<double> streams{0.0, 0.1, 1.0};
+  compare("growth a step by RK4", streams, [](const Drifting<Dim>& of) {
+    return of.growth(by_rk4(), 0.999 * of.workable(schemes::RungeKutta4(), schemes::FixedStep{}));
+  });
+  for (const int sweeps : {1, 2, 3}) {
+    compare(fmt::format("growth a step with {} sweeps", sweeps), sweeps == 1 ? std::vector<double>{0.0} : streams,
+            [=](const Drifting<Dim>& of) {
+              return of.growth(sweeping(sweeps, true),
+                               0.999 * of.workable(in_turn(true), schemes::FixedSweeps{.sweeps = sweeps}));
+            });
+  }
+  compare("contraction of sweeps", streams, [](const Drifting<Dim>& of) {
+    return of.contraction(0.999 * of.workable(in_turn(true), schemes::FixedStep{}));
+  });
+}
+
+const Case combined{
+    {.name = "limits_of_sound_and_diffusion",
+     .claim = "just within the step that its limits allow no scheme lets a disturbance of a drifting, viscous gas that "
+              "conducts heat grow, and sweeps contract",
+     .equation = "D 8.4",
+     .reference = Reference::independent_method},
+    [](Rows& rows) {
+      scan<1>(rows);
+      scan<2>(rows);
     }};
 
 }  // namespace verification::fluid_sweeps
