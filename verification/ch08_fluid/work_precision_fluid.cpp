@@ -122,14 +122,13 @@ void compare_costs(Rows& rows, const std::string& problem) {
       table.add({error, method, over_rk4(method, error, evaluations), over_rk4(method, error, seconds)});
   }
   rows.write("cost_of_sweeps_" + problem, table);
-  for (const char* method : {"staggering", "staggering, TOL 1e-2"}) {
-    rows.at_least(
-        fmt::format("{}, {} to 1e-2: evaluations over those of RK4", problem, method),
-        {.limit = 10.0,
-         .computed = over_rk4(method, 1e-2, evaluations),
-         .because = "a prototype found ten: sweeps converge in shorter steps than RK4 bears, many a step, and "
-                    "are of order 1"});
-  }
+  const auto claim = [&](const std::string& method, double least, const std::string& because) {
+    rows.at_least(fmt::format("{}, {} to 1e-2: evaluations over those of RK4", problem, method),
+                  {.limit = least, .computed = over_rk4(method, 1e-2, evaluations), .because = because});
+  };
+  claim("staggering", 10.0,
+        "a prototype found ten: sweeps converge in shorter steps than RK4 bears, many a step, and are of order 1");
+  claim("staggering, TOL 1e-2", 5.0, "fewer sweeps a step, at the same order");
   const std::vector<double> reported{0.0, 0.0, 0.0, 0.0};
   compare_fronts(rows, problem, {"SUNDIALS", {"CVODE Adams", "ARKODE"}},
                  {{{"RK4", {"RK4"}}, reported, "reported"},
@@ -174,7 +173,7 @@ const Case stirred{
      .equation = "R 8.4",
      .reference = Reference::sundials},
     [](Rows& rows) {
-      const int n = rows.full() ? 32 : 8;
+      const int n = rows.full() ? 16 : 8;
       fluid::Grid<2> grid;
       grid.cells.fill(n);
       grid.lengths.setConstant(two_pi);
