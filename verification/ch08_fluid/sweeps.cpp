@@ -2,21 +2,25 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <functional>
 #include <limits>
 #include <numbers>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include <harness/case.hpp>
+#include <harness/motions.hpp>
 #include <particulate/fluid/flow.hpp>
 #include <particulate/schemes/fixed_step.hpp>
 #include <particulate/schemes/fixed_sweeps.hpp>
 #include <particulate/schemes/integrate.hpp>
+#include <particulate/schemes/phi_control.hpp>
 #include <particulate/schemes/runge_kutta.hpp>
 #include <particulate/schemes/staggering.hpp>
 
@@ -451,6 +455,108 @@ const Case combined{
     [](Rows& rows) {
       scan<1>(rows);
       scan<2>(rows);
+    }};
+
+// The changes that sweep after sweep makes of a wave that travels, over that of the first, the worse of density and
+// momentum: after the formula, from rho' = rho_0 - i z u and u' = u_0 - i z rho'.
+double error_by_formula(double z, int K_d) {
+  const std::complex<double> start = 1.0, iz(0.0, z);
+  std::complex<double> rho = start, u = start;
+  double first_rho = 0.0, first_u = 0.0, worst = 0.0;
+  for (int K = 0; K <= K_d; ++K) {
+    const std::complex<double> newer_rho = start - iz * u, newer_u = start - iz * newer_rho;
+    const double change_rho = std::abs(newer_rho - rho), change_u = std::abs(newer_u - u);
+    if (K == 0) first_rho = change_rho, first_u = change_u;
+    worst = std::max(change_rho / first_rho, change_u / first_u);
+    rho = newer_rho, u = newer_u;
+  }
+  return worst;
+}
+double settling_by_formula(double TOL, int K_d) {
+  double low = 0.0, high = 1.0;
+  for (int k = 0; k < 60; ++k) (error_by_formula(0.5 * (low + high), K_d) < TOL ? low : high) = 0.5 * (low + high);
+  return low;
+}
+
+const Case settling{
+    {.name = "step_that_sweeps_settle_at",
+     .claim = "the monograph's control makes steps up to that at which the sweeps over a sound wave meet TOL in K_d "
+              "contractions, about half of what sound crosses a cell in",
+     .equation = "R 3.4",
+     .reference = Reference::closed_form},
+    [](Rows& rows) {
+      const fluid::BarotropicFlow<1> flow = boxed<1>(barotropic(), 16);
+      for (const auto& [TOL, K_d] :
+           {std::pair(1e-6, 10), std::pair(1e-4, 10), std::pair(1e-6, 6), std::pair(1e-5, 15)}) {
+        schemes::State state = wave(flow, rho_R, 10.0, 1);
+        const schemes::Staggered scheme(
+            {{.name = "density", .TOL = TOL, .p = 2}, {.name = "momentum", .TOL = TOL, .p = 2}});
+        const double h_over_c = flow.grid().h(0) / 10.0;
+        double longest = 0.0;
+        require_reached(
+            schemes::integrate(flow, state, 30.0 * h_over_c, schemes::Staggered(scheme),
+                               schemes::PhiControl{.TOL = 1.0, .K_d = K_d, .step = 0.1 * h_over_c, .limit = 1.0},
+                               [&](const auto&, const auto&, double dt, const auto&) {
+                                 longest = std::max(longest, dt / h_over_c);
+                                 return true;
+                               }));
+        rows.compare(
+            fmt::format("longest c Dt/h, TOL = {:g}, K_d = {}", TOL, K_d),
+            {.expected = settling_by_formula(TOL, K_d),
+             .computed = longest,
+             .tolerance = relative(0.03),
+             .because = "how the wave lies in the cells changes its sums by a seventh, and those to the power 1/20"});
+      }
+    }};
+
+// What ends an adaptive step that would grow and grow, of sweeps that are hardly asked to converge.
+template <int Dim, class E>
+std::string ruled(const fluid::Flow<Dim, E>& flow, const fluid::Local<Dim>& local, double t_end) {
+  schemes::State state = flow.start([&](const auto&) { return local; });
+  std::vector<schemes::Field> fields(flow.fields(), {.name = "field", .TOL = 1e3});
+  return schemes::integrate(flow, state, t_end, schemes::Staggered(fields),
+                            schemes::PhiControl{.TOL = 1.0, .step = 1e-3 * t_end, .limit = t_end})
+      .ruled;
+}
+
+const Case names{
+    {.name = "what_rules_a_step",
+     .claim = "an adaptive run tells which mechanism cut its step, and a fixed step beyond is refused with "
+              "the one that works, to the digits of the formula",
+     .equation = "D 8.4",
+     .reference = Reference::closed_form},
+    [](Rows& rows) {
+      // h = 1/8 m; c = 10 m/s.
+      const fluid::BarotropicFlow<1> quiet = boxed<1>(barotropic(), 8), thick = boxed<1>(barotropic(), 8, 1e6);
+      const fluid::LiquidFlow<1> conducting = boxed<1>(continuum::LinearizedState{.Y = 1e5, .a_th = 0.0}, 8, 0.0, 1e8);
+      const auto name = [&](const std::string& of, const std::string& expected, const std::string& computed) {
+        rows.equal(of + ", ruled by",
+                   {.expected = expected, .computed = computed, .because = "it asks for the shortest step by far"});
+      };
+      const fluid::Local<1> rest{.rho = rho_R};
+      name("hardly viscous", "sound, carried along", ruled(quiet, rest, 10.0));
+      name("thick", "viscosity", ruled(thick, rest, 1e-4));
+      name("conducting", "conduction", ruled(conducting, rest, 0.01));
+      const auto workable = [&](const std::string& of, const auto& flow, double expected, auto scheme, auto control) {
+        schemes::State state = flow.start([&](const auto&) { return rest; });
+        control.step = 1e3;
+        const schemes::Outcome outcome = schemes::integrate(flow, state, 1e3, scheme, control);
+        rows.compare(of + ", the step that works [s]", {.expected = expected,
+                                                        .computed = outcome.workable_step,
+                                                        .tolerance = relative(1e-12),
+                                                        .because = "rounding"});
+      };
+      const double wave = 0.125 / 10.0, decay = rho_R * 0.125 * 0.125 / (4.0 * 4.0 / 3.0 * 1e6);
+      workable("sound, RK4", quiet, 2.0 * std::numbers::sqrt2 * wave, schemes::RungeKutta4(), schemes::FixedStep{});
+      workable("sound, one sweep", quiet, 2.0 * wave, in_turn(false), schemes::FixedSweeps{.sweeps = 1});
+      workable("sound, two sweeps", quiet, wave, in_turn(false), schemes::FixedSweeps{.sweeps = 2});
+      workable("sound, converged sweeps", quiet, wave, in_turn(false), schemes::FixedStep{});
+      // With sound beside it: (Dt/waves)^2 + Dt/decays = 1.
+      const auto both = [](double w, double d) { return 2.0 / (1.0 / d + std::sqrt(1.0 / (d * d) + 4.0 / (w * w))); };
+      workable("viscosity, RK4", thick, 2.785293563405282 * decay, schemes::RungeKutta4(), schemes::FixedStep{});
+      workable("viscosity, one sweep", thick, both(2.0 * wave, 2.0 * decay), in_turn(false),
+               schemes::FixedSweeps{.sweeps = 1});
+      workable("viscosity, converged sweeps", thick, both(wave, decay), in_turn(false), schemes::FixedStep{});
     }};
 
 }  // namespace verification::fluid_sweeps
