@@ -68,11 +68,11 @@ struct Sound {
     if (outcome.status != schemes::Status::reached) return Ending::refused(outcome.reason);
     return within(std::abs(of(state) - std::cos(omega() * t_end)), 1e-6, "an amplitude of 1e-7, and its rounding");
   }
-  // A step that spans so many h/c under so many sweeps.
-  schemes::Outcome stepped(double z, int sweeps) const {
-    schemes::State state = start();
-    const double dt = z * h() / c();
-    return integrate(flow, state, 10.0 * dt, in_turn(), schemes::FixedSweeps{.step = dt, .sweeps = sweeps});
+  // A thousand fixed steps of so many sweeps, 0 for as many as it takes.
+  schemes::Outcome stepped(double dt, int sweeps, schemes::State& state) const {
+    const double t_end = 1000.0 * dt;
+    return sweeps > 0 ? integrate(flow, state, t_end, in_turn(), schemes::FixedSweeps{.step = dt, .sweeps = sweeps})
+                      : integrate(flow, state, t_end, in_turn(), schemes::FixedStep{.step = dt, .TOL = 1.0});
   }
 };
 
@@ -206,6 +206,27 @@ Ending torn(Control control) {
   return ending_of(integrate(flow, state, 1.0, schemes::RungeKutta4(), control));
 }
 
+void refuse_steps(Rows& rows) {
+  for (const int sweeps : {1, 2, 3, 12, 0}) {
+    const Sound sound;
+    const double limit = (sweeps == 1 ? 2.0 : 1.0) * sound.h() / sound.c();
+    const std::string of = sweeps > 0 ? fmt::format("{} sweeps", sweeps) : "converged sweeps";
+    schemes::Outcome outcome;
+    rows.must_be_refused("z = c Dt/h a thousandth beyond the limit, " + of, "step span sound carried take at most",
+                         [&] {
+                           schemes::State state = sound.start();
+                           outcome = sound.stepped(1.001 * limit, sweeps, state);
+                           return ending_of(outcome);
+                         });
+    rows.must_be_solved("nine tenths of the step that it says would do, " + of, [&] {
+      schemes::State state = sound.start();
+      const schemes::Outcome again = sound.stepped(0.9 * outcome.workable_step, sweeps, state);
+      if (again.status != schemes::Status::reached) return Ending::refused(again.reason);
+      return within(std::abs(sound.of(state)), 1.1, "sound does not grow");
+    });
+  }
+}
+
 // A liquid of which one cell has been emptied.
 Ending emptied() {
   const fluid::LiquidFlow<1> flow(box<1>(8), {}, {});
@@ -221,9 +242,10 @@ const Case refused{{.name = "refused_flows",
                    [](Rows& rows) {
                      rows.must_be_refused("a gas torn apart at 20 times its sound", "no finite value step",
                                           [] { return torn(schemes::FixedStep{.step = 1e-6}); });
-                     rows.must_be_refused("the same, with steps that adapt", "step qqq",
+                     rows.must_be_refused("the same, with steps that adapt", "no step small enough cell kg/m^3 K",
                                           [] { return torn(schemes::ErrorControl{.TOL = 1e-6, .step = 1e-6}); });
-                     rows.must_be_refused("a cell that has been emptied", "cell 3 density temperature", emptied);
+                     rows.must_be_refused("a cell that has been emptied", "cell 3 0 kg/m^3", emptied);
+                     refuse_steps(rows);
                    }};
 
 }  // namespace verification::fluid_extremes

@@ -551,6 +551,8 @@ const Case names{
       workable("sound, one sweep", quiet, 2.0 * wave, in_turn(false), schemes::FixedSweeps{.sweeps = 1});
       workable("sound, two sweeps", quiet, wave, in_turn(false), schemes::FixedSweeps{.sweeps = 2});
       workable("sound, converged sweeps", quiet, wave, in_turn(false), schemes::FixedStep{});
+      workable("Y = 1e10, RK4", boxed<1>(barotropic(1e10), 8), 2.0 * std::numbers::sqrt2 * 0.125 / std::sqrt(1e7),
+               schemes::RungeKutta4(), schemes::FixedStep{});
       // With sound beside it: (Dt/waves)^2 + Dt/decays = 1.
       const auto both = [](double w, double d) { return 2.0 / (1.0 / d + std::sqrt(1.0 / (d * d) + 4.0 / (w * w))); };
       workable("viscosity, RK4", thick, 2.785293563405282 * decay, schemes::RungeKutta4(), schemes::FixedStep{});
