@@ -4,26 +4,27 @@
 //!
 //! @section ch08_question Particles are not alone
 //!
-//! So far particles flew through nothing. Chapter 8 of the monograph @cite zohdi2007 puts them into a fluid that they drag
-//! along, and that drags them. It takes that apart: the fluid is pushed at the places of particles by forces that are
-//! opposite to those that move the particles (8.1.1).
+//! So far particles flew through nothing. Chapter 8 of the monograph @cite zohdi2007 puts them into a fluid that they
+//! drag along, and that drags them. It takes that apart: the fluid is pushed at the places of particles by forces that
+//! are opposite to those that move the particles (8.1.1).
 //!
 //! @figure{ch08_decomposition, What particles and fluid do to each other\, taken apart: Figure 8.1.}
 //!
-//! All that happens in a small part of a larger flow, which stands for the whole. What leaves it on one side comes in on the
-//! other, particles and fluid alike.
+//! All that happens in a small part of a larger flow, which stands for the whole. What leaves it on one side comes in
+//! on the other, particles and fluid alike.
 //!
 //! @figure{ch08_element, A representative element\, cut out of a flow: Figure 8.2.}
 //!
 //! What is asked:
 //!
-//! - What does the fluid do by itself, and which step may one take? @subpage ch08_flow
+//! - What does the fluid do by itself? @subpage ch08_flow
+//! - Which step does it allow, and what do the monograph's sweeps cost? @subpage ch08_steps
 //!
 //! Build and run it alone with
 //!
 //! @verbatim
-//! cmake --preset release && cmake --build --preset release --target ch08_fluid
-//! build/release/bin/ch08_fluid --out ch08 --threads 2
+//! cmake --preset release && cmake --build --preset release --target ch08_fluid build/release/bin/ch08_fluid --out ch08
+//! --threads 2
 //! @endverbatim
 //!
 //! That takes some ten seconds, with `--quick` half of it.
@@ -38,7 +39,10 @@
 
 namespace ch08 {
 
-void run(const Parameters& p, report::Chapter& chapter) { flow_alone(p, chapter); }
+void run(const Parameters& p, report::Chapter& chapter) {
+  flow_alone(p, chapter);
+  steps(p, chapter);
+}
 
 }  // namespace ch08
 

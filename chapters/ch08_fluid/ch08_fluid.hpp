@@ -4,8 +4,8 @@
 //!
 //! @section ch08_parameters Parameters
 //!
-//! Of the monograph's liquid the range of its bulk modulus was at hand, and its thermal expansion. All other numbers are
-//! our choice: a thick liquid, as heavy as water, whose sound is slow enough to be followed by a desk computer.
+//! Of the monograph's liquid the range of its bulk modulus was at hand, and its thermal expansion. All other numbers
+//! are our choice: a thick liquid, as heavy as water, whose sound is slow enough to be followed by a desk computer.
 
 #pragma once
 
@@ -48,8 +48,8 @@ struct Parameters {
 
 //! @section ch08_following Following a flow
 //!
-//! Runs that are about the flow, and not about steps, take half of a step that all mechanisms together allow the
-//! classical Runge-Kutta scheme: \f$ 1/\Delta t = \sum_k 1/\Delta t_k \f$ over the fluid's time scales
+//! Runs that are about the flow, and not about steps, take three quarters of a step that all mechanisms together allow
+//! the classical Runge-Kutta scheme: \f$ 1/\Delta t = \sum_k 1/\Delta t_k \f$ over the fluid's time scales
 //! (particulate::fluid::Flow::step_limits) is on the safe side of any combination.
 
 template <class F>
@@ -58,7 +58,7 @@ double modest_step(const F& flow, const State& at) {
   for (const schemes::TimeScale& one : flow.step_limits(at)) {
     rate += 1.0 / (schemes::RungeKutta4::spans(one.kind, 0) * one.seconds);
   }
-  return 0.5 / rate;
+  return 0.75 / rate;
 }
 
 //! `receive` gets the state at each of the times.
@@ -85,5 +85,6 @@ inline std::vector<double> equal_times(double end, int pieces) {
 //! A page is a function. It writes its tables and adds what it claims.
 
 void flow_alone(const Parameters& p, report::Chapter& chapter);
+void steps(const Parameters& p, report::Chapter& chapter);
 
 }  // namespace ch08

@@ -121,8 +121,8 @@ set xrange [0:0.9]
 set yrange [0:1.1]
 set xlabel 't c_s/D'
 set ylabel 'z'
-set label 1 'beyond this line sweeps drift apart' at 0.03,1.05 tc rgb '#707070'
-plot 1 with lines lt 7, file('step') skip 1 using 1:2 with steps lt 1, '' skip 1 using 1:2 with points lt 1 ps 0.4
+set label 1 'beyond this line sweeps do not contract' at 0.03,1.05 tc rgb '#707070'
+plot 1 with lines lt 7 dt 1, 10**(-6.0/20) with lines lt 7 lw 2 dt (8,4), file('step') skip 1 using 1:2 with steps lt 1, '' skip 1 using 1:2 with points lt 1 ps 0.4
 unset label
 
 # Drawings: no axes.
@@ -156,8 +156,8 @@ do for [panel = 0:2] {
 }
 set label 2 '=' at 2.5,1 center font ',24'
 set label 3 '+' at 5.5,1 center font ',24'
-set label 4 '−Ψ^{drag}' at 3.62,0.2 left tc lt 1
-set label 5 'Ψ^{drag}' at 6.62,0.2 left tc lt 2
+set label 4 '−Ψ^{drag}' at 4.92,0.2 right tc lt 1
+set label 5 'Ψ^{drag}' at 7.92,0.2 right tc lt 2
 plot NaN
 unset arrow
 unset label
@@ -191,4 +191,4 @@ set arrow 4 from 4.62,2.45 to 5.3,2.45 size 0.13,22 filled lt 2 lw 2 front
 set arrow 5 from 5,-0.02 to 8,-0.02 heads size 0.12,22 filled lw 1.2
 set label 1 'D' at 6.5,-0.25 center
 set label 2 'a flow with particles' at 2,-0.25 center
-plot for [k = 0:5] stream(x, k) with lines lc rgb '#7fa8cc' lw 1.4
+plot for [k = 0:5] stream(x, k) with lines lc rgb '#7fa8cc' lw 1.4 dt 1
