@@ -27,7 +27,7 @@
 //! --threads 2
 //! @endverbatim
 //!
-//! That takes some ten seconds, with `--quick` half of it.
+//! That takes some seconds, and hardly less with `--quick`.
 //!
 //! @section ch08_program The program
 //!

@@ -50,8 +50,9 @@ set xrange [0:1]
 set yrange [-0.008:0.345]
 set ytics 0.1
 lift = 0.024
-plot for [k = 0:15] those('sound', k) using 3:($2 + lift*$5) with lines lw 3.4 lc rgb '#b8b8b8', \
-     for [k = 0:15] those('sound', k) using 3:($2 + lift*$4) with lines lt 1 lw 1.6
+profile(k) = sprintf("< awk -F, '$1 == 256 && $2 == %d' '%s'", k, file('sound'))
+plot for [k = 0:15] profile(k) using 4:($3 + lift*$6) with lines lw 3.4 lc rgb '#b8b8b8', \
+     for [k = 0:15] profile(k) using 4:($3 + lift*$5) with lines lt 1 lw 1.6
 
 # Kinetic energy of vortices.
 set terminal svg size 640,420 dynamic enhanced font 'sans-serif,16' background '#ffffff' rounded
