@@ -23,8 +23,8 @@
 //! Build and run it alone with
 //!
 //! @verbatim
-//! cmake --preset release && cmake --build --preset release --target ch08_fluid build/release/bin/ch08_fluid --out ch08
-//! --threads 2
+//! cmake --preset release && cmake --build --preset release --target ch08_fluid
+//! build/release/bin/ch08_fluid --out ch08 --threads 2
 //! @endverbatim
 //!
 //! That takes some seconds, and hardly less with `--quick`.

@@ -131,6 +131,7 @@ void adaptive(const Parameters& p, report::Chapter& chapter) {
   };
   add("RK4", taken(flow, start, end, schemes::RungeKutta4{}, schemes::FixedStep{.step = 2.0 * unit}));
   add("one sweep", taken(flow, start, end, in_turn, schemes::FixedSweeps{.step = 1.6 * unit, .sweeps = 1}));
+  // Tolerances are the fields' own, a millionth each; of these the control allows one.
   const schemes::PhiControl by_sweeps{.TOL = 1.0, .K_d = 10, .step = 0.1 * unit, .limit = end};
   const Taken swept =
       taken(flow, start, end, in_turn, by_sweeps, [&](const State& from, const State&, double dt, const auto&) {

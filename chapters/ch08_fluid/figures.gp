@@ -32,6 +32,8 @@ set terminal gif animate delay 12 loop 0 size 340,360 font 'sans-serif,12' backg
 set output 'ch08_film.gif'
 set lmargin at screen 0.01; set rmargin at screen 0.99; set tmargin at screen 0.93; set bmargin at screen 0.01
 set palette maxcolors 9
+set xrange [0.1:6.1]
+set yrange [0.1:6.1]
 set pm3d map interpolate 5,5
 do for [k = 0:40] {
   set title sprintf('t = %.2f', 0.75*k) offset 0,-0.7
@@ -51,7 +53,7 @@ set yrange [-0.008:0.345]
 set ytics 0.1
 lift = 0.024
 profile(k) = sprintf("< awk -F, '$1 == 256 && $2 == %d' '%s'", k, file('sound'))
-plot for [k = 0:15] profile(k) using 4:($3 + lift*$6) with lines lw 3.4 lc rgb '#b8b8b8', \
+plot for [k = 0:15] profile(k) using 4:($3 + lift*$6) with lines dt 1 lw 3.4 lc rgb '#b8b8b8', \
      for [k = 0:15] profile(k) using 4:($3 + lift*$5) with lines lt 1 lw 1.6
 
 # Kinetic energy of vortices.
@@ -63,7 +65,7 @@ set ytics 0.2
 set xlabel 't'
 set ylabel 'kinetic energy, over that at the start'
 set key outside top center horizontal
-plot for [k = 1:4] those('decay', word('0 0.01 0.03 0.1', k) + 0) using 2:4 with lines lc rgb '#b8b8b8' lw 4 notitle, \
+plot for [k = 1:4] those('decay', word('0 0.01 0.03 0.1', k) + 0) using 2:4 with lines dt 1 lc rgb '#b8b8b8' lw 4 notitle, \
      for [k = 1:4] those('decay', word('0 0.01 0.03 0.1', k) + 0) every 2 using 2:3 with points lt k title 'ν = '.word('0 0.01 0.03 0.1', k)
 
 # Between walls.
@@ -78,13 +80,13 @@ set multiplot layout 1,2 margins 0.11,0.98,0.17,0.86 spacing 0.09
 set ylabel 'y/h' offset 1
 unset key
 set label 1 't ν/h² = 0.005, 0.02, 0.05, 0.1, 0.2, 2' at graph 0.5, 1.06 center
-plot for [t in '0.005 0.02 0.05 0.1 0.2 2'] sprintf("< awk -F, '$1 == \"even\" && $2 == %s' '%s'", t, file('couette')) using 5:3 with lines lw 4 lc rgb '#b8b8b8', \
+plot for [t in '0.005 0.02 0.05 0.1 0.2 2'] sprintf("< awk -F, '$1 == \"even\" && $2 == %s' '%s'", t, file('couette')) using 5:3 with lines dt 1 lw 4 lc rgb '#b8b8b8', \
      for [t in '0.005 0.02 0.05 0.1 0.2 2'] sprintf("< awk -F, '$1 == \"even\" && $2 == %s' '%s'", t, file('couette')) using 4:3 with lines lt 1 lw 1.4
 unset ylabel
 set format y ''
 set key inside top left Left reverse
 set label 1 'the upper wall is the hot one'
-plot liquid('thin') using 5:3 with lines lw 4 lc rgb '#b8b8b8' notitle, \
+plot liquid('thin') using 5:3 with lines dt 1 lw 4 lc rgb '#b8b8b8' notitle, \
      sprintf("< awk -F, '$1 == \"even\" && $2 == 2' '%s'", file('couette')) using 4:3 with lines lt 1 lw 1.4 title 'one viscosity', \
      liquid('thin') using 4:3 with points lt 2 ps 0.5 title 'thinning'
 unset multiplot
@@ -104,14 +106,14 @@ set format x ''
 set yrange [0:1.1]
 set ylabel 'u/u_1'
 set key inside bottom left Left reverse
-plot for [k = 1:2] gas(word('1.5 3', k)) using 3:6 with lines lw 4 lc rgb '#b8b8b8' notitle, \
+plot for [k = 1:2] gas(word('1.5 3', k)) using 3:6 with lines dt 1 lw 4 lc rgb '#b8b8b8' notitle, \
      for [k = 1:2] gas(word('1.5 3', k)) using 3:4 with points lt k ps 0.5 title 'M = '.word('1.5 3', k)
 set format x '%g'
 set xlabel 'x/(μ/ρ_1 u_1)'
 set ylabel 'θ/θ_1'
 set yrange [0.8:2.9]
 unset key
-plot for [k = 1:2] gas(word('1.5 3', k)) using 3:7 with lines lw 4 lc rgb '#b8b8b8' notitle, \
+plot for [k = 1:2] gas(word('1.5 3', k)) using 3:7 with lines dt 1 lw 4 lc rgb '#b8b8b8' notitle, \
      for [k = 1:2] gas(word('1.5 3', k)) using 3:5 with points lt k ps 0.5
 unset multiplot
 
