@@ -134,8 +134,10 @@ class Flow {
   /// @return what is there
   Local<Dim> local(const schemes::State& at, Eigen::Index cell) const;
 
-  const Grid<Dim>& grid() const { return grid_; }                            ///< the grid
-  const Fluid<EquationOfState, Viscosity>& fluid() const { return fluid_; }  ///< the laws
+  /// @return the grid
+  const Grid<Dim>& grid() const { return grid_; }
+  /// @return the laws
+  const Fluid<EquationOfState, Viscosity>& fluid() const { return fluid_; }
 
  private:
   double pressure_of(double rho, double theta) const;
