@@ -68,9 +68,9 @@ struct Sound {
     if (outcome.status != schemes::Status::reached) return Ending::refused(outcome.reason);
     return within(std::abs(of(state) - std::cos(omega() * t_end)), 1e-6, "an amplitude of 1e-7, and its rounding");
   }
-  // A thousand fixed steps of so many sweeps, 0 for as many as it takes.
+  // A thousand fixed steps of so many sweeps; a hundred of 0, as many as it takes.
   schemes::Outcome stepped(double dt, int sweeps, schemes::State& state) const {
-    const double t_end = 1000.0 * dt;
+    const double t_end = (sweeps > 0 ? 1000.0 : 100.0) * dt;
     return sweeps > 0 ? integrate(flow, state, t_end, in_turn(), schemes::FixedSweeps{.step = dt, .sweeps = sweeps})
                       : integrate(flow, state, t_end, in_turn(), schemes::FixedStep{.step = dt, .TOL = 1.0});
   }
