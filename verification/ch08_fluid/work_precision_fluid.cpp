@@ -183,7 +183,7 @@ const Case stirred{
             .rho = 1.0,
             .v = {1.0 + 0.4 * std::sin(x[0]) * std::cos(x[1]), 1.0 - 0.4 * std::cos(x[0]) * std::sin(x[1])}};
       });
-      measure(rows, "stirred_gas", flow, start, 1.0, {.rk4 = 5 * n / 4, .one_sweep = 5 * n, .staggering = 5 * n});
+      measure(rows, "stirred_gas", flow, start, 1.0, {.rk4 = 5 * n / 4, .one_sweep = 12 * n, .staggering = 5 * n});
     }};
 
 // A vortex that a stream carries, without friction: an exact solution of a gas of gamma = 1.4 and R = 1, with
