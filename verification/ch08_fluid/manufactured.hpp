@@ -22,7 +22,7 @@ enum class Faces { periodic, held, adiabatic, moving, slips, given, leaves_high,
 /// A fluid whose constants are about one.
 struct MadeOf {
   bool gas = false, has_heat = true;
-  double Y = 4.0, a_th = 0.2, R = 1.0, c = 2.5, K = 0.06, mu = 0.03, c_mu = 0.0, lambda_over_mu = -0.4;
+  double Y = 4.0, a_th = 0.2, R = 1.0, c = 2.5, K = 0.04, mu = 0.02, c_mu = 0.0, lambda_over_mu = -0.4;
 };
 
 /// Density at a pressure and a temperature: the equations of state, solved for it.
