@@ -23,7 +23,6 @@ using Complex = std::complex<double>;
 using schemes::RungeKutta4;
 
 constexpr double pi = std::numbers::pi;
-constexpr std::array axes{"x", "y", "z"};
 
 // An order of two, of errors on five grids.
 void order_2(Rows& rows, const std::string& what, const std::vector<double>& steps, const std::vector<double>& errors,
