@@ -57,7 +57,8 @@ void converge(Rows& rows, const std::array<Faces, std::size_t{Sourced<Flow>::Dim
       {{24, 32, 40, 52, 66}, {14, 18, 23, 29, 37}, {8, 10, 13, 17, 22}}};
   const double finer = rows.quick() ? 1.0 : dim == 3 ? 1.5 : 2.0;
   // Where more is given than a flow needs, what it does not need comes back from the faces in sawteeth, which decay.
-  const MadeOf of = faces[0] == given && dim == 1 ? MadeOf{.K = 0.2, .mu = 0.1} : MadeOf{};
+  const bool all_given = std::ranges::all_of(faces, [](Faces here) { return here == given; });
+  const MadeOf of = all_given ? MadeOf{.K = 0.2, .mu = 0.1} : MadeOf{};
   std::vector<double> steps;
   std::array<Errors, Flow::numbers> errors;
   for (const Eigen::Index cells : quick[dim - 1]) {
@@ -98,7 +99,8 @@ void in_a_plane(Rows& rows) {
                             {moving, periodic},
                             {periodic, moving},
                             {given, leaves_high},
-                            {leaves_low, given}}) {
+                            {leaves_low, given},
+                            {given, given}}) {
     converge<Flow>(rows, faces);
   }
 }
