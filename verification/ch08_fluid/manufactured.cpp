@@ -54,7 +54,7 @@ void converge(Rows& rows, const std::array<Faces, std::size_t{Sourced<Flow>::Dim
   constexpr int dim = Sourced<Flow>::Dim;
   // Grids of which each is at least 5/4 of the one before.
   const std::array<std::vector<Eigen::Index>, 3> quick{
-      {{24, 32, 40, 52, 66}, {14, 18, 23, 29, 37}, {8, 10, 13, 17, 22}}};
+      {{24, 32, 40, 52, 66}, {12, 15, 19, 24, 30}, {8, 10, 13, 17, 22}}};
   const double finer = rows.quick() ? 1.0 : dim == 3 ? 1.5 : 2.0;
   // Where more is given than a flow needs, what it does not need comes back from the faces in sawteeth, which decay.
   const bool all_given = std::ranges::all_of(faces, [](Faces here) { return here == given; });
