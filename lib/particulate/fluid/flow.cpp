@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <particulate/fluid/detail/fluxes.hpp>
+
 namespace particulate::fluid {
 
 namespace {
@@ -14,8 +16,14 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr const char* axes = "xyz";
 
-template <class Law>
-constexpr bool varies = !std::same_as<Law, continuum::ConstantViscosity>;
+// Numbers that are kept of a cell.
+template <class F>
+constexpr int kept = F::numbers + 1 + (F::varies ? 1 : 0);
+
+const detail::Kernels& kernels(laws::Kernel kernel) {
+  if (kernel == laws::Kernel::avx512) return detail::fluxes_avx512;
+  return kernel == laws::Kernel::avx2 ? detail::fluxes_avx2 : detail::fluxes_baseline;
+}
 
 std::string face_name(int face) { return fmt::format("{} {}", axes[face / 2], face % 2 == 0 ? "low" : "high"); }
 
@@ -65,8 +73,12 @@ void validate(const Boundaries<Dim>& boundaries, bool has_heat) {
 }
 
 template <int Dim, class E, class V>
-Flow<Dim, E, V>::Flow(Grid<Dim> grid, Fluid<E, V> fluid, Boundaries<Dim> boundaries, int threads, laws::Kernel)
-    : grid_(std::move(grid)), fluid_(std::move(fluid)), boundaries_(std::move(boundaries)), threads_(threads) {
+Flow<Dim, E, V>::Flow(Grid<Dim> grid, Fluid<E, V> fluid, Boundaries<Dim> boundaries, int threads, laws::Kernel kernel)
+    : grid_(std::move(grid)),
+      fluid_(std::move(fluid)),
+      boundaries_(std::move(boundaries)),
+      threads_(threads),
+      kernel_(kernel == laws::Kernel::best ? laws::best_kernel() : kernel) {
   validate(grid_);
   validate(fluid_.state);
   validate(fluid_.viscosity);
@@ -81,6 +93,10 @@ Flow<Dim, E, V>::Flow(Grid<Dim> grid, Fluid<E, V> fluid, Boundaries<Dim> boundar
     require(fluid_.K >= 0.0 && std::isfinite(fluid_.K), "K must be finite and not negative", fluid_.K);
   }
   require(threads >= 1 && threads <= 1024, "threads must be from 1 to 1024", threads);
+  if (!laws::is_available(kernel_)) {
+    throw std::invalid_argument(
+        fmt::format("fluid: this build has no kernel {} for this processor: take best", laws::name(kernel_)));
+  }
   padded_ = 1;
   for (std::size_t a = 0; a < 3; ++a) {
     cells_[a] = a < Dim ? grid_.cells[a] : 1;
@@ -88,7 +104,26 @@ Flow<Dim, E, V>::Flow(Grid<Dim> grid, Fluid<E, V> fluid, Boundaries<Dim> boundar
     stride_[a] = padded_;
     padded_ *= cells_[a] + 2 * ghosts_[a];
   }
-  cells_with_ghosts_.assign(static_cast<std::size_t>(padded_ * (numbers + 1 + (varies<V> ? 1 : 0))), 0.0);
+  measured_.resize(static_cast<std::size_t>(padded_ * kept<Flow>));
+  buffer_size_ = detail::buffer_size(measured(), numbers);
+  buffers_.resize(static_cast<std::size_t>(threads_ * buffer_size_));
+}
+
+template <int Dim, class E, class V>
+detail::Cells Flow<Dim, E, V>::measured() const {
+  detail::Cells q;
+  q.rho = measured_.data(), q.apart = padded_;
+  for (int a = 0; a < 3; ++a) {
+    const auto axis = static_cast<std::size_t>(a);
+    q.cells[a] = cells_[axis], q.ghosts[a] = ghosts_[axis], q.stride[a] = stride_[axis];
+    q.over_h[a] = a < Dim ? 1.0 / grid_.h(a) : 0.0;
+  }
+  for (int face = 0; face < 2 * Dim; ++face) {
+    q.wall[face] = std::holds_alternative<Wall<Dim>>(boundaries_[static_cast<std::size_t>(face)]);
+  }
+  if constexpr (!varies) q.mu = viscosity(fluid_.viscosity);
+  q.second = fluid_.lambda_over_mu, q.c = fluid_.c, q.K = fluid_.K;
+  return q;
 }
 
 template <int Dim, class E, class V>
@@ -100,240 +135,149 @@ double Flow<Dim, E, V>::pressure_of(double rho, double theta) const {
   }
 }
 
-// What is measured of cells, from what is conserved; false where a cell has no density or temperature.
+// What the laws make of a row's densities and temperatures: whether all of it is finite.
 template <int Dim, class E, class V>
-bool Flow<Dim, E, V>::fill_cells(schemes::In y) const {
-  const Eigen::Index N = grid_.size(), n = cells_[0];
-  double* const rho = cells_with_ghosts_.data();
-  double* const P = rho + (Dim + 1) * padded_;
-  [[maybe_unused]] double* const theta = rho + (Dim + 2) * padded_;
-  [[maybe_unused]] double* const mu = rho + (numbers + 1) * padded_;
-  int bad = 0;
+bool Flow<Dim, E, V>::apply_laws(double* rho) const {
+  const Eigen::Index n = cells_[0];
+  double* const P = rho + (1 + Dim) * padded_;
+  [[maybe_unused]] const double* const theta = rho + (2 + Dim) * padded_;
+  const E law = fluid_.state;
+  double not_finite = 0.0;
+#pragma omp simd reduction(+ : not_finite)
+  for (Eigen::Index i = 0; i < n; ++i) {
+    if constexpr (has_heat) {
+      P[i] = pressure(law, rho[i], theta[i]);
+    } else {
+      P[i] = pressure(law, rho[i]);
+    }
+    not_finite += 0.0 * P[i];
+  }
+  if constexpr (varies) {
+    double* const mu = rho + (3 + Dim) * padded_;
+    for (Eigen::Index i = 0; i < n; ++i) not_finite += 0.0 * (mu[i] = viscosity(fluid_.viscosity, theta[i]));
+  }
+  return not_finite == 0.0;
+}
+
+template <int Dim, class E, class V>
+bool Flow<Dim, E, V>::measure(double t, schemes::In y) const {
+  const detail::Cells q = measured();
+  const detail::MeasureRow measure_row = kernels(kernel_).measure[Dim - 1][has_heat ? 1 : 0];
+  double bad = 0.0;
 #pragma omp parallel for schedule(static) reduction(+ : bad) num_threads(threads_) if (threads_ > 1)
   for (Eigen::Index row = 0; row < cells_[1] * cells_[2]; ++row) {
-    const Eigen::Index j = row % cells_[1], k = row / cells_[1];
-    const Eigen::Index to = ghosts_[0] + (j + ghosts_[1]) * stride_[1] + (k + ghosts_[2]) * stride_[2];
-    const double* from = y.data() + row * n;
-    for (Eigen::Index i = 0; i < n; ++i) {
-      const double density = from[i], over = 1.0 / density;
-      double squares = 0.0;
-      for (int c = 0; c < Dim; ++c) {
-        const double u = from[i + (1 + c) * N] * over;
-        rho[to + i + (1 + c) * padded_] = u;
-        squares += u * u;
-      }
-      double warm = 1.0;
-      if constexpr (has_heat) {
-        warm = (from[i + (1 + Dim) * N] * over - 0.5 * squares) / fluid_.c;
-        theta[to + i] = warm;
-      }
-      rho[to + i] = density;
-      P[to + i] = pressure_of(density, warm);
-      const bool good = (density > 0.0) & (warm > 0.0) & (std::abs(P[to + i]) + density + warm + squares < infinity);
-      bad += good ? 0 : 1;
-    }
-    if constexpr (varies<V>) {
-      for (Eigen::Index i = 0; i < n; ++i) mu[to + i] = viscosity(fluid_.viscosity, theta[to + i]);
-    }
+    const Eigen::Index j = row % cells_[1] + ghosts_[1], k = row / cells_[1] + ghosts_[2];
+    const bool good =
+        measure_row(q, row, y.data()) && apply_laws(measured_.data() + ghosts_[0] + j * stride_[1] + k * stride_[2]);
+    bad += good ? 0.0 : 1.0;
   }
-  return bad == 0;
-}
-
-// Faces in their order, each with the ghosts of those before: so edges and corners have values too.
-template <int Dim, class E, class V>
-void Flow<Dim, E, V>::fill_ghosts(double t) const {
+  if (bad > 0.0) return false;
+  // Each face with the ghosts of those before: so edges and corners have values too.
   for (int face = 0; face < 2 * Dim; ++face) fill_face(t, face);
+  return true;
 }
 
+// The ghosts beyond a face: rows along x, over which the threads are shared unless a function of the caller is asked.
 template <int Dim, class E, class V>
 void Flow<Dim, E, V>::fill_face(double t, int face) const {
-  const int a = face / 2;
-  const auto axis = static_cast<std::size_t>(a);
-  const bool high = face % 2 == 1;
-  const Eigen::Index n = cells_[axis];
+  const auto axis = static_cast<std::size_t>(face / 2);
   std::array<Eigen::Index, 3> low{}, end = cells_;
   for (std::size_t b = 0; b < axis; ++b) low[b] = -ghosts_[b], end[b] = cells_[b] + ghosts_[b];
-  low[axis] = high ? n : -1;
+  low[axis] = face % 2 == 1 ? cells_[axis] : -1;
   end[axis] = low[axis] + 1;
-  const Eigen::Index inwards = (high ? -1 : 1) * stride_[axis], around = (high ? -n : n) * stride_[axis];
+  const Eigen::Index count = end[0] - low[0], across = end[1] - low[1], rows = across * (end[2] - low[2]);
+  const bool alone = std::holds_alternative<Given<Dim>>(boundaries_[static_cast<std::size_t>(face)]);
+#pragma omp parallel for schedule(static) num_threads(threads_) if (threads_ > 1 && rows > 64 && !alone)
+  for (Eigen::Index row = 0; row < rows; ++row) {
+    fill_row(t, face, {low[0], low[1] + row % across, low[2] + row / across}, count);
+  }
+}
+
+template <int Dim, class E, class V>
+void Flow<Dim, E, V>::fill_row(double t, int face, std::array<Eigen::Index, 3> cell, Eigen::Index count) const {
+  const int a = face / 2;
+  const auto axis = static_cast<std::size_t>(a);
+  const Eigen::Index towards = face % 2 == 1 ? -1 : 1;
+  Eigen::Index at = 0;
+  for (std::size_t b = 0; b < 3; ++b) at += (cell[b] + ghosts_[b]) * stride_[b];
+  const auto column = [&](int field) { return measured_.data() + at + field * padded_; };
+  const auto each = [&](int field, auto&& of) {
+    double* const q = column(field);
+    const double *const in = q + towards * stride_[axis], *const next = in + towards * stride_[axis];
+    for (Eigen::Index i = 0; i < count; ++i) q[i] = of(in[i], next[i]);
+  };
+  const auto mirror = [&](int field, double value) {
+    each(field, [=](double in, double) { return 2.0 * value - in; });
+  };
+  const auto copy = [&](int field) { each(field, [](double in, double) { return in; }); };
+  const auto go_on = [&](int field) { each(field, [](double in, double next) { return 2.0 * in - next; }); };
   const Boundary<Dim>& boundary = boundaries_[static_cast<std::size_t>(face)];
-  double* const data = cells_with_ghosts_.data();
-  constexpr int kept = numbers + 1 + (varies<V> ? 1 : 0);
-  std::array<Eigen::Index, 3> cell{};
-  for (cell[2] = low[2]; cell[2] < end[2]; ++cell[2]) {
-    for (cell[1] = low[1]; cell[1] < end[1]; ++cell[1]) {
-      for (cell[0] = low[0]; cell[0] < end[0]; ++cell[0]) {
-        Eigen::Index at = 0;
-        for (std::size_t b = 0; b < 3; ++b) at += (cell[b] + ghosts_[b]) * stride_[b];
-        const auto q = [&](int f) -> double& { return data[at + f * padded_]; };
-        const auto in = [&](int f) { return data[at + inwards + f * padded_]; };
-        const auto next = [&](int f) { return data[at + 2 * inwards + f * padded_]; };
-        if (std::holds_alternative<Periodic>(boundary)) {
-          for (int f = 0; f < kept; ++f) q(f) = data[at + around + f * padded_];
-        } else if (const auto* wall = std::get_if<Wall<Dim>>(&boundary)) {
-          q(0) = in(0);
-          for (int c = 0; c < Dim; ++c)
-            q(1 + c) = wall->slips && c != a ? in(1 + c) : 2.0 * wall->velocity[c] - in(1 + c);
-          q(Dim + 1) = 2.0 * in(Dim + 1) - next(Dim + 1);
-          if constexpr (has_heat) q(Dim + 2) = wall->theta ? 2.0 * *wall->theta - in(Dim + 2) : in(Dim + 2);
-          if constexpr (varies<V>) {
-            q(Dim + 3) = wall->theta ? 2.0 * viscosity(fluid_.viscosity, *wall->theta) - in(Dim + 3) : in(Dim + 3);
-          }
-        } else if (const auto* given = std::get_if<Given<Dim>>(&boundary)) {
-          std::array<Eigen::Index, Dim> place{};
-          std::copy_n(cell.begin(), Dim, place.begin());
-          const Local<Dim> there = given->fluid(t, grid_.centre(place));
-          q(0) = there.rho;
-          for (int c = 0; c < Dim; ++c) q(1 + c) = there.v[c];
-          q(Dim + 1) = pressure_of(there.rho, there.theta);
-          if constexpr (has_heat) q(Dim + 2) = there.theta;
-          if constexpr (varies<V>) q(Dim + 3) = viscosity(fluid_.viscosity, there.theta);
-        } else {
-          for (int f = 0; f < kept; ++f) q(f) = 2.0 * in(f)-next(f);
-          q(Dim + 1) = 2.0 * std::get<Outflow>(boundary).P - in(Dim + 1);
-        }
+  if (std::holds_alternative<Periodic>(boundary)) {
+    const Eigen::Index around = towards * cells_[axis] * stride_[axis];
+    for (int field = 0; field < kept<Flow>; ++field) {
+      double* const q = column(field);
+      if (count == 1) {
+        *q = q[around];
+      } else {
+        std::copy_n(q + around, count, q);
       }
     }
-  }
-}
-
-// Whether pressure works at a face: at a wall nothing that moves is pushed.
-template <int Dim, class E, class V>
-double Flow<Dim, E, V>::work_at(int face) const {
-  return std::holds_alternative<Wall<Dim>>(boundaries_[static_cast<std::size_t>(face)]) ? 0.0 : 1.0;
-}
-
-// The fluxes across the faces between cells first + i and those after them along a, field by field.
-template <int Dim, class E, class V>
-template <int a>
-void Flow<Dim, E, V>::fluxes(Eigen::Index first, Eigen::Index count, double work, double* f) const {
-  const Eigen::Index next = stride_[static_cast<std::size_t>(a)];
-  const double* const rho = cells_with_ghosts_.data() + first;
-  const double* const P = rho + (Dim + 1) * padded_;
-  [[maybe_unused]] const double* const theta = rho + (Dim + 2) * padded_;
-  [[maybe_unused]] const double* const viscosities = rho + (numbers + 1) * padded_;
-  const double over_h = 1.0 / grid_.h(a), second = fluid_.lambda_over_mu;
-  std::array<double, 3> quarter{};
-  for (int b = 0; b < Dim; ++b) quarter[static_cast<std::size_t>(b)] = 0.25 / grid_.h(b);
-  double constant = 0.0;
-  if constexpr (!varies<V>) constant = viscosity(fluid_.viscosity);
-#pragma omp simd
-  for (Eigen::Index i = 0; i < count; ++i) {
-    double mean[Dim], slope[Dim];  // of velocities, across the face
-    for (int c = 0; c < Dim; ++c) {
-      const double u0 = rho[i + (1 + c) * padded_], u1 = rho[i + next + (1 + c) * padded_];
-      mean[c] = 0.5 * (u0 + u1);
-      slope[c] = (u1 - u0) * over_h;
-    }
-    double mu = constant;
-    if constexpr (varies<V>) mu = 0.5 * (viscosities[i] + viscosities[i + next]);
-    double expansion = slope[a], shear[Dim];
-    for (int b = 0; b < Dim; ++b) {
-      if (b == a) continue;
-      const Eigen::Index s = stride_[static_cast<std::size_t>(b)];
-      const auto along = [&](int c) {
-        const double* const u = rho + i + (1 + c) * padded_;
-        return (u[s] - u[-s] + u[next + s] - u[next - s]) * quarter[static_cast<std::size_t>(b)];
-      };
-      expansion += along(b);
-      shear[b] = mu * (slope[b] + along(a));
-    }
-    shear[a] = mu * (2.0 * slope[a] + second * expansion);
-    const double pressure = 0.5 * (P[i] + P[i + next]), m = 0.5 * (rho[i] + rho[i + next]) * mean[a];
-    f[i] = m;
-    for (int c = 0; c < Dim; ++c) f[i + (1 + c) * count] = m * mean[c] - shear[c] + (c == a ? pressure : 0.0);
-    if constexpr (has_heat) {
-      double kinetic = 0.0, friction = 0.0;
-      for (int c = 0; c < Dim; ++c) {
-        kinetic += rho[i + (1 + c) * padded_] * rho[i + next + (1 + c) * padded_];
-        friction += shear[c] * mean[c];
-      }
-      const double u0 = rho[i + (1 + a) * padded_], u1 = rho[i + next + (1 + a) * padded_];
-      f[i + (1 + Dim) * count] = m * (0.5 * fluid_.c * (theta[i] + theta[i + next]) + 0.5 * kinetic) +
-                                 0.5 * work * (u0 * P[i + next] + u1 * P[i]) - friction -
-                                 fluid_.K * (theta[i + next] - theta[i]) * over_h;
+  } else if (const auto* wall = std::get_if<Wall<Dim>>(&boundary)) {
+    copy(0);
+    for (int c = 0; c < Dim; ++c) wall->slips&& c != a ? copy(1 + c) : mirror(1 + c, wall->velocity[c]);
+    go_on(1 + Dim);
+    if constexpr (has_heat) wall->theta ? mirror(2 + Dim, *wall->theta) : copy(2 + Dim);
+    if constexpr (varies) wall->theta ? mirror(3 + Dim, viscosity(fluid_.viscosity, *wall->theta)) : copy(3 + Dim);
+  } else if (const auto* out = std::get_if<Outflow>(&boundary)) {
+    for (int field = 0; field < kept<Flow>; ++field) field == 1 + Dim ? mirror(field, out->P) : go_on(field);
+  } else {
+    for (Eigen::Index i = 0; i < count; ++i, ++cell[0]) {
+      std::array<Eigen::Index, Dim> place{};
+      std::copy_n(cell.begin(), Dim, place.begin());
+      const Local<Dim> there = std::get<Given<Dim>>(boundary).fluid(t, grid_.centre(place));
+      column(0)[i] = there.rho;
+      for (int c = 0; c < Dim; ++c) column(1 + c)[i] = there.v[c];
+      column(1 + Dim)[i] = pressure_of(there.rho, there.theta);
+      if constexpr (has_heat) column(2 + Dim)[i] = there.theta;
+      if constexpr (varies) column(3 + Dim)[i] = viscosity(fluid_.viscosity, there.theta);
     }
   }
 }
 
-// Rows of cells from first to last, numbered y before z: each gets what comes through its faces.
 template <int Dim, class E, class V>
-void Flow<Dim, E, V>::add_rows(Eigen::Index first, Eigen::Index last, double* dy) const {
-  const Eigen::Index n = cells_[0], N = grid_.size();
-  const auto padded = [&](Eigen::Index j, Eigen::Index k) {
-    return ghosts_[0] + (j + ghosts_[1]) * stride_[1] + (k + ghosts_[2]) * stride_[2];
-  };
-  std::vector<double> along((n + 1) * numbers), low(n * numbers), high(n * numbers),
-      below(Dim > 2 ? n * numbers * cells_[1] : 0);
-  const auto subtract = [&](const double* before, const double* after, double over_h, Eigen::Index row) {
-    for (int f = 0; f < numbers; ++f) {
-      for (Eigen::Index i = 0; i < n; ++i) dy[row * n + i + f * N] -= (after[i + f * n] - before[i + f * n]) * over_h;
-    }
-  };
-  const auto y_flux = [&](Eigen::Index j, Eigen::Index k, double* to) {  // between j - 1 and j
-    if constexpr (Dim > 1) fluxes<1>(padded(j - 1, k), n, j == 0 ? work_at(2) : j == cells_[1] ? work_at(3) : 1.0, to);
-  };
-  const auto z_flux = [&](Eigen::Index j, Eigen::Index k, double* to) {
-    if constexpr (Dim > 2) fluxes<2>(padded(j, k - 1), n, k == 0 ? work_at(4) : k == cells_[2] ? work_at(5) : 1.0, to);
-  };
-  for (Eigen::Index row = first; row < last; ++row) {
-    const Eigen::Index j = row % cells_[1], k = row / cells_[1];
-    fluxes<0>(padded(j, k) - 1, n + 1, 1.0, along.data());
-    for (const int face : {0, 1}) {
-      if (work_at(face) == 1.0) continue;
-      std::array<double, numbers> alone{};
-      fluxes<0>(padded(j, k) + face * n - 1, 1, work_at(face), alone.data());
-      for (int f = 0; f < numbers; ++f)
-        along[static_cast<std::size_t>(face * n + f * (n + 1))] = alone[static_cast<std::size_t>(f)];
-    }
-    for (int f = 0; f < numbers; ++f) {
-      const double* const flux = along.data() + f * (n + 1);
-      const double over_h = 1.0 / grid_.h(0);
-      for (Eigen::Index i = 0; i < n; ++i) dy[row * n + i + f * N] = (flux[i] - flux[i + 1]) * over_h;
-    }
-    if constexpr (Dim > 1) {
-      if (row == first || j == 0) y_flux(j, k, low.data());
-      y_flux(j + 1, k, high.data());
-      subtract(low.data(), high.data(), 1.0 / grid_.h(1), row);
-      low.swap(high);
-    }
-    if constexpr (Dim > 2) {
-      double* const under = below.data() + j * n * numbers;
-      if (row - first < cells_[1]) z_flux(j, k, under);
-      z_flux(j, k + 1, high.data());
-      subtract(under, high.data(), 1.0 / grid_.h(2), row);
-      std::copy(high.begin(), high.end(), under);
+bool Flow<Dim, E, V>::add_fluxes(unsigned wanted, double* dy) const {
+  const detail::Cells q = measured();
+  const detail::AddFluxes add = kernels(kernel_).add[Dim - 1][(has_heat ? 1 : 0) + (varies ? 1 : 0)];
+  const Eigen::Index blocks = detail::blocks(q);
+  double bad = 0.0;
+#pragma omp parallel for schedule(static, 1) reduction(+ : bad) num_threads(threads_) if (threads_ > 1)
+  for (int thread = 0; thread < threads_; ++thread) {
+    for (Eigen::Index block = thread; block < blocks; block += threads_) {
+      bad += add(q, wanted, block, buffers_.data() + thread * buffer_size_, dy) ? 0.0 : 1.0;
     }
   }
+  return bad == 0.0;
 }
 
 template <int Dim, class E, class V>
 bool Flow<Dim, E, V>::rate(double t, schemes::In y, schemes::Out dy) const {
-  if (!fill_cells(y)) return false;
-  fill_ghosts(t);
-  const Eigen::Index rows = cells_[1] * cells_[2];
-  const auto parts = std::min<Eigen::Index>(threads_, rows);
-#pragma omp parallel for schedule(static, 1) num_threads(threads_) if (threads_ > 1)
-  for (Eigen::Index part = 0; part < parts; ++part) {
-    add_rows(rows * part / parts, rows * (part + 1) / parts, dy.data());
-  }
-  return dy.allFinite();
+  return measure(t, y) && add_fluxes(detail::density + detail::momentum + detail::energy, dy.data());
+}
+
+template <int Dim, class E, class V>
+bool Flow<Dim, E, V>::solve(std::size_t k, const schemes::State& from, double dt, const schemes::State& seen,
+                            schemes::State& to) const {
+  // All of `seen` has been read before anything is written: it may be `to`.
+  if (!measure(from.t + dt, seen.y) || !add_fluxes(1U << k, to.y.data())) return false;
+  const schemes::Part own = part(k);
+  to.y.segment(own.first, own.size) = from.y.segment(own.first, own.size) + dt * to.y.segment(own.first, own.size);
+  return to.y.segment(own.first, own.size).allFinite();
 }
 
 template <int Dim, class E, class V>
 schemes::Part Flow<Dim, E, V>::part(std::size_t k) const {
   const schemes::Range range = ranges()[k];
   return {.first = range.first, .size = range.size};
-}
-
-template <int Dim, class E, class V>
-bool Flow<Dim, E, V>::solve(std::size_t k, const schemes::State& from, double dt, const schemes::State& seen,
-                            schemes::State& to) const {
-  rates_.resize(seen.y.size());
-  if (!rate(from.t + dt, seen.y, rates_)) return false;
-  const schemes::Part own = part(k);
-  to.y.segment(own.first, own.size) = from.y.segment(own.first, own.size) + dt * rates_.segment(own.first, own.size);
-  return true;
 }
 
 template <int Dim, class E, class V>

@@ -15,6 +15,10 @@
 
 namespace particulate::fluid {
 
+namespace detail {
+struct Cells;
+}
+
 /// What a fluid is made of.
 template <class EquationOfState, class Viscosity = continuum::ConstantViscosity>
 struct Fluid {
@@ -51,8 +55,9 @@ concept HasTemperature = requires(const EquationOfState& law, double x) {
 template <int Dim, class EquationOfState, class Viscosity = continuum::ConstantViscosity>
 class Flow {
  public:
-  static constexpr bool has_heat = HasTemperature<EquationOfState>;  ///< whether there is an E
-  static constexpr int numbers = 1 + Dim + (has_heat ? 1 : 0);       ///< of a cell in the state
+  static constexpr bool has_heat = HasTemperature<EquationOfState>;                       ///< whether there is an E
+  static constexpr bool varies = !std::same_as<Viscosity, continuum::ConstantViscosity>;  ///< whether mu does
+  static constexpr int numbers = 1 + Dim + (has_heat ? 1 : 0);                            ///< of a cell in the state
 
   /// @param grid        at least four cells in each direction
   /// @param fluid       its laws
@@ -110,28 +115,22 @@ class Flow {
   const Fluid<EquationOfState, Viscosity>& fluid() const { return fluid_; }  ///< the laws
 
  private:
-  struct Scratch;
-  struct Row;
-
   double pressure_of(double rho, double theta) const;
-  bool fill_cells(schemes::In y) const;
-  void fill_ghosts(double t) const;
+  detail::Cells measured() const;
+  bool measure(double t, schemes::In y) const;
+  bool apply_laws(double* rho) const;
   void fill_face(double t, int face) const;
-  void add_rows(Eigen::Index first, Eigen::Index last, double* dy) const;
-  template <int a>
-  void fluxes(Eigen::Index first, Eigen::Index count, double work, double* f) const;
-  double work_at(int face) const;
-  Local<Dim> local_of(const double* numbers) const;
+  void fill_row(double t, int face, std::array<Eigen::Index, 3> cell, Eigen::Index count) const;
+  bool add_fluxes(unsigned wanted, double* dy) const;
 
   Grid<Dim> grid_;
   Fluid<EquationOfState, Viscosity> fluid_;
   Boundaries<Dim> boundaries_;
   int threads_;
-  // Padded by a cell beyond each face: density, velocity, pressure, then temperature and a viscosity that varies.
-  std::array<Eigen::Index, 3> stride_{}, cells_{}, ghosts_{};  // one in a direction that is not there
-  Eigen::Index padded_ = 0;
-  mutable std::vector<double> cells_with_ghosts_;
-  mutable Eigen::VectorXd rates_;  // of a sweep
+  laws::Kernel kernel_;
+  std::array<Eigen::Index, 3> cells_{}, ghosts_{}, stride_{};  // one cell and no ghost in a direction that is not there
+  Eigen::Index padded_ = 0, buffer_size_ = 0;
+  mutable std::vector<double> measured_, buffers_;  // see detail::Cells
 };
 
 /// What is compiled once, in the library; another combination does not link.
