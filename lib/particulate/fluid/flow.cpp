@@ -27,6 +27,22 @@ const detail::Kernels& kernels(laws::Kernel kernel) {
 
 std::string face_name(int face) { return fmt::format("{} {}", axes[face / 2], face % 2 == 0 ? "low" : "high"); }
 
+// Rates of what happens between a cell and its neighbours [1/s]; the largest of all cells.
+struct Rates {
+  double waves = 0.0, viscous = 0.0, conducts = 0.0, drifts = 0.0;
+};
+
+template <int Dim>
+bool is_value(const Local<Dim>& here) {
+  return here.rho > 0.0 && here.theta > 0.0 && std::isfinite(here.rho * here.theta) && here.v.allFinite();
+}
+
+template <int Dim>
+std::string text_of(const Local<Dim>& here, bool has_heat) {
+  const std::string warmth = has_heat ? fmt::format(", {} K", here.theta) : "";
+  return fmt::format("{} kg/m^3{} and {} m/s", here.rho, warmth, here.v.norm());
+}
+
 }  // namespace
 
 template <int Dim>
@@ -58,7 +74,8 @@ void validate(const Boundaries<Dim>& boundaries, bool has_heat) {
     }
     if (const auto* wall = std::get_if<Wall<Dim>>(&here)) {
       if (!wall->velocity.allFinite() || wall->velocity[face / 2] != 0.0) {
-        refuse(fmt::format("a wall must move along itself, got {} m/s across it", wall->velocity[face / 2]));
+        refuse(fmt::format("a wall must move along itself, finitely fast, got {} m/s of which {} across it",
+                           wall->velocity.norm(), wall->velocity[face / 2]));
       }
       if (wall->theta && !has_heat) refuse("a barotropic fluid has no temperature: give the wall none");
       if (wall->theta && !(*wall->theta > 0.0 && std::isfinite(*wall->theta))) {
@@ -276,8 +293,8 @@ bool Flow<Dim, E, V>::solve(std::size_t k, const schemes::State& from, double dt
 
 template <int Dim, class E, class V>
 schemes::Part Flow<Dim, E, V>::part(std::size_t k) const {
-  const schemes::Range range = ranges()[k];
-  return {.first = range.first, .size = range.size};
+  const Eigen::Index N = grid_.size();
+  return {.first = k == 0 ? 0 : k == 1 ? N : (1 + Dim) * N, .size = k == 1 ? Dim * N : N};
 }
 
 template <int Dim, class E, class V>
@@ -298,11 +315,10 @@ schemes::State Flow<Dim, E, V>::start(const std::function<Local<Dim>(const Vecto
     Eigen::Index rest = n;
     for (std::size_t a = 0; a < Dim; ++a) cell[a] = rest % grid_.cells[a], rest /= grid_.cells[a];
     const Local<Dim> here = fluid(grid_.centre(cell));
-    if (!(here.rho > 0.0 && here.theta > 0.0 && here.v.allFinite() && std::isfinite(here.rho * here.theta))) {
+    if (!is_value(here)) {
       throw std::invalid_argument(fmt::format(
-          "flow: a start must have positive densities and temperatures, and be finite; got {} kg/m^3, {} K and {} m/s "
-          "in cell {}",
-          here.rho, here.theta, here.v.norm(), n));
+          "flow: a start must have a positive density and temperature everywhere, and be finite; cell {} has {}", n,
+          text_of(here, has_heat)));
     }
     state.y[n] = here.rho;
     for (int a = 0; a < Dim; ++a) state.y[n + (1 + a) * N] = here.rho * here.v[a];
@@ -317,8 +333,7 @@ template <int Dim, class E, class V>
 std::string Flow<Dim, E, V>::why_no_value(const schemes::State& at) const {
   for (Eigen::Index n = 0; n < grid_.size(); ++n) {
     const Local<Dim> here = local(at, n);
-    if (here.rho > 0.0 && here.theta > 0.0 && std::isfinite(here.rho * here.theta) && here.v.allFinite()) continue;
-    return fmt::format("cell {} has a density of {} kg/m^3 and a temperature of {} K", n, here.rho, here.theta);
+    if (!is_value(here)) return fmt::format("cell {} has {}", n, text_of(here, has_heat));
   }
   return {};
 }
@@ -334,30 +349,47 @@ std::vector<schemes::Range> Flow<Dim, E, V>::ranges() const {
 
 template <int Dim, class E, class V>
 std::vector<schemes::TimeScale> Flow<Dim, E, V>::step_limits(const schemes::State& at) const {
-  double inverse_squares = 0.0, oscillates = 0.0, viscous = 0.0, conducts = 0.0;
-  for (int a = 0; a < Dim; ++a) inverse_squares += 1.0 / (grid_.h(a) * grid_.h(a));
+  double sum = 0.0, largest = 0.0;  // of 1/h^2
+  for (int a = 0; a < Dim; ++a) sum += std::pow(grid_.h(a), -2), largest = std::max(largest, std::pow(grid_.h(a), -2));
+  const double viscous = 4.0 * (sum + (1.0 + fluid_.lambda_over_mu) * largest),
+               conducts = 4.0 * fluid_.K / fluid_.c * sum;
+  Rates all;
   for (Eigen::Index n = 0; n < grid_.size(); ++n) {
     const Local<Dim> here = local(at, n);
-    double sound = 0.0, mu = 0.0, carried = 0.0;
+    if (!is_value(here)) continue;
+    double sound = 0.0, cells = 0.0, squares = 0.0, boxes = 0.0;  // that are crossed a second
     if constexpr (has_heat) {
       sound = speed_of_sound(fluid_.state, here.rho, here.theta, fluid_.c);
-      conducts = std::max(conducts, 4.0 * fluid_.K / (here.rho * fluid_.c) * inverse_squares);
+      all.conducts = std::max(all.conducts, conducts / here.rho);
     } else {
       sound = speed_of_sound(fluid_.state, here.rho);
     }
-    mu = viscosity(fluid_.viscosity, here.theta);
-    for (int a = 0; a < Dim; ++a) carried += std::abs(here.v[a]) / grid_.h(a);
-    oscillates = std::max(oscillates, carried + sound * std::sqrt(inverse_squares));
-    viscous = std::max(viscous, 4.0 * (2.0 + fluid_.lambda_over_mu) * mu / here.rho * inverse_squares);
+    for (int a = 0; a < Dim; ++a) {
+      const double crossed = std::abs(here.v[a]) / grid_.h(a);
+      cells += crossed, squares += crossed * crossed, boxes += std::abs(here.v[a]) / grid_.lengths[a];
+    }
+    all.waves = std::max(all.waves, cells + sound * std::sqrt(sum));
+    all.viscous = std::max(all.viscous, viscous * viscosity(fluid_.viscosity, here.theta) / here.rho);
+    if (boxes > 0.0) all.drifts = std::max(all.drifts, squares / boxes);
   }
   using Kind = schemes::TimeScale::Kind;
-  std::vector<schemes::TimeScale> all{
-      {.name = "sound, carried along", .kind = Kind::oscillates, .seconds = 1.0 / oscillates}};
-  if (viscous > 0.0) all.push_back({.name = "viscosity", .kind = Kind::decays, .seconds = 1.0 / viscous});
-  if (conducts > 0.0) all.push_back({.name = "conduction", .kind = Kind::decays, .seconds = 1.0 / conducts});
-  return all;
+  std::vector<schemes::TimeScale> scales;
+  const auto add = [&](const char* name, Kind kind, double rate) {
+    if (rate > 0.0) scales.push_back({.name = name, .kind = kind, .seconds = 1.0 / rate});
+  };
+  add("sound, carried along", Kind::waves, all.waves);
+  add("viscosity", Kind::decays, all.viscous);
+  add("conduction", Kind::decays, all.conducts);
+  add("advection, where one sweep drives it", Kind::drifts, all.drifts);
+  return scales;
 }
 
+template void validate(const Grid<1>&);
+template void validate(const Grid<2>&);
+template void validate(const Grid<3>&);
+template void validate(const Boundaries<1>&, bool);
+template void validate(const Boundaries<2>&, bool);
+template void validate(const Boundaries<3>&, bool);
 template class Flow<1, continuum::Barotropic>;
 template class Flow<2, continuum::Barotropic>;
 template class Flow<3, continuum::Barotropic>;

@@ -73,8 +73,21 @@ class Flow {
   /// @param dy  receives its rate
   /// @return whether there is one: densities and temperatures are positive, all is finite
   bool rate(double t, schemes::In y, schemes::Out dy) const;
+  /// The times that limit a step, over all cells: of sound carried along, viscosity, conduction, and of advection.
+  ///
+  /// \f[ \frac1{t_w} = \max \sum_a \frac{|u_a|}{h_a} + s\,\Big(\sum_a \frac1{h_a^2}\Big)^{1/2},\quad
+  ///     \frac1{t_\mu} = \max \frac{4\mu}{\rho} \Big(\sum_a \frac1{h_a^2}
+  ///     + \Big(1 + \frac\lambda\mu\Big) \max_a \frac1{h_a^2}\Big),\quad
+  ///     \frac1{t_K} = \max \frac{4K}{\rho c} \sum_a \frac1{h_a^2},\quad
+  ///     \frac1{t_d} = \max \frac{\sum_a u_a^2/h_a^2}{\sum_a |u_a|/L_a} \f]
+  ///
+  /// @equation{D 8.4} with the speed of sound s. RungeKutta4 spans 2 sqrt 2 of the first and 2.785 of what diffuses,
+  /// one sweep of Staggered 2 and 2, sweeps that converge 1 and 1: schemes::AddsLimits. One sweep takes a step of
+  /// forward Euler along the flow, which no step makes stable without diffusion: t_d is the step with which a
+  /// disturbance grows at most e-fold while the fluid crosses the box. Cells without a value are left out.
+  ///
   /// @param at  a state
-  /// @return times of sound carried along, and of what diffuses
+  /// @return those that there are
   std::vector<schemes::TimeScale> step_limits(const schemes::State& at) const;
   /// @param at  a state
   /// @return which cell has no value, and of what

@@ -38,8 +38,8 @@ struct Grid {
       x[a] = corner[a] + (static_cast<double>(cell[static_cast<std::size_t>(a)]) + 0.5) * h(a);
     return x;
   }
-  /// @param x  a place in the box [m]
-  /// @return number of the cell, x fastest
+  /// @param cell  its numbers along each direction
+  /// @return its number, x fastest
   Eigen::Index index(const std::array<Eigen::Index, Dim>& cell) const {
     Eigen::Index n = 0;
     for (int a = Dim - 1; a >= 0; --a) n = n * cells[static_cast<std::size_t>(a)] + cell[static_cast<std::size_t>(a)];

@@ -16,7 +16,9 @@ struct ForwardEuler {
   /// @param of  what a problem has @return whether it has motion or values
   static constexpr bool advances(const Traits& of) { return of.motion || of.values; }
   /// @param kind  of time scale @return how many of them one step may span: see Limited [-]
-  static double spans(TimeScale::Kind kind, int) { return kind == TimeScale::Kind::oscillates ? 0.0 : 2.0; }
+  static double spans(TimeScale::Kind kind, int) {
+    return kind == TimeScale::Kind::decays ? 2.0 : kind == TimeScale::Kind::drifts ? 1.0 : 0.0;
+  }
 
   /// One step.
   ///

@@ -71,12 +71,21 @@ std::string accumulating(double t, long most) {
 }
 
 // A fixed step cannot be cut.
-std::string beyond_limit(double dt, const TimeScale& scale, double spans) {
+// The longest step that time scales allow, and which of them rules; none: no such limit.
+struct Limit {
+  const TimeScale* scale = nullptr;
+  double spans = 0.0, step = std::numeric_limits<double>::infinity();
+  const TimeScale* beside = nullptr;  // takes its share of the step
+};
+
+std::string beyond_limit(double dt, const Limit& limit) {
+  const std::string beside =
+      limit.beside ? fmt::format(" (with {} beside it, {:.6g} s, fewer)", limit.beside->name, limit.beside->seconds)
+                   : "";
   return fmt::format(
-      "a step must span at most {:.6g} of the time scale of {}, which is {:.6g} s, but the fixed step is {:.6g} s: "
-      "take "
-      "at most {:.6g} s, or a control that adapts its step",
-      spans, scale.name, scale.seconds, dt, spans * scale.seconds);
+      "a step must span at most {:.6g} of the time scale of {}, which is {:.6g} s{}, but the fixed step is {:.6g} s: "
+      "take at most {:.6g} s, or a control that adapts its step",
+      limit.spans, limit.scale->name, limit.scale->seconds, beside, dt, limit.step);
 }
 
 }  // namespace
@@ -164,7 +173,8 @@ class Run {
   void forget() { task_.scheme_can.forget(task_.scheme); }
 
   void begin_control() {
-    if (problem_.traits().staggered) {
+    const Traits& of = problem_.traits();
+    if (of.staggered && !of.motion && !of.values) {
       throw std::invalid_argument(
           "run: the first step of staggered fields must be given, as no rates tell one, but the control has step = 0");
     }
@@ -224,21 +234,43 @@ class Run {
 
   // Cuts the step to what the problem's time scales allow, or refuses it where it is fixed.
   bool within_limits() {
-    for (const TimeScale& scale : problem_.step_limits(state_)) {
+    const std::vector<TimeScale> scales = problem_.step_limits(state_);
+    const Limit limit = tightest(scales);
+    if (dt_ <= limit.step) return true;
+    if (task_.control_can.fixes_step || !(limit.step > 0.0)) {
+      out_.workable_step = limit.step;
+      return end(Status::failed, beyond_limit(dt_, limit), Failure::beyond_limit);
+    }
+    dt_ = limit.step;
+    out_.ruled = limit.scale->name;
+    return true;
+  }
+
+  Limit tightest(const std::vector<TimeScale>& scales) const {
+    Limit all, waves, decays;
+    for (const TimeScale& scale : scales) {
       if (!(scale.seconds > 0.0)) {
         throw std::invalid_argument(
             fmt::format("problem: the time scale of {} must be positive, got {} s", scale.name, scale.seconds));
       }
       const double spans = task_.scheme_can.spans(task_.scheme, scale.kind, task_.control_can.sweeps(task_.control));
-      if (dt_ <= spans * scale.seconds) continue;
-      if (task_.control_can.fixes_step || !(spans > 0.0)) {
-        out_.workable_step = spans * scale.seconds;
-        return end(Status::failed, beyond_limit(dt_, scale, spans), Failure::beyond_limit);
+      const Limit limit{.scale = &scale, .spans = spans, .step = spans * scale.seconds};
+      for (Limit* each : {&all, &waves, &decays}) {
+        if (each == &waves && scale.kind != TimeScale::Kind::waves) continue;
+        if (each == &decays && scale.kind != TimeScale::Kind::decays) continue;
+        if (limit.step < each->step) *each = limit;
       }
-      dt_ = spans * scale.seconds;
-      out_.ruled = scale.name;
     }
-    return true;
+    if (!task_.scheme_can.adds_limits || !waves.scale || !decays.scale) return all;
+    // (dt/w)^2 + dt/d = 1.
+    const double together =
+        2.0 / (1.0 / decays.step + std::sqrt(1.0 / (decays.step * decays.step) + 4.0 / (waves.step * waves.step)));
+    if (!(together < all.step)) return all;
+    const bool waves_rule = waves.step < decays.step;
+    Limit shared = waves_rule ? waves : decays;
+    shared.beside = waves_rule ? decays.scale : waves.scale;
+    shared.step = together;
+    return shared;
   }
 
   Decision attempt_with(Decision (*judge)(void*, const Attempt&)) {

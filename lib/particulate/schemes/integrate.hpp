@@ -67,6 +67,7 @@ struct SchemeTable {
   Truncation (*truncation)(void*, const Problem&, const State&, double, const State&) = nullptr;
   void (*at)(const void*, const State&, double, double, State&) = nullptr;
   double (*spans)(const void*, TimeScale::Kind, int) = nullptr;
+  bool adds_limits = false;
   void (*accept)(void*, double);
   void (*forget)(void*);
   void (*begin)(void*, const Problem&, const State&);
@@ -104,6 +105,7 @@ constexpr SchemeTable scheme_table() {
   }
   if constexpr (Limited<S>) {
     can.spans = [](const void* s, TimeScale::Kind kind, int sweeps) { return as<S>(s).spans(kind, sweeps); };
+    can.adds_limits = AddsLimits<S>;
   }
   return can;
 }

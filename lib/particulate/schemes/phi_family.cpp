@@ -21,12 +21,15 @@ PhiFamily<Mixing>::PhiFamily(double phi, Mixing mixing) : phi_(phi), mixing_(std
 // One sweep of y' = lambda y is forward Euler; one of r'' = -omega^2 r has trace 2 - 2 phi z^2 and determinant
 // 1 + (1 - 2 phi) z^2. More of them are bounded by their contraction, and below phi = 1/2 by the scheme itself. There
 // an odd number of them falls short of the fixed point on the side of forward Euler: by how much it may span more than
-// that is left aside.
+// that is left aside. Of y' = i y two sweeps make 1 + i z - phi z^2.
 template <class Mixing>
 double PhiFamily<Mixing>::spans(TimeScale::Kind kind, int sweeps) const {
   const bool oscillates = kind == TimeScale::Kind::oscillates;
   const double contraction = phi_ > 0.0 ? 1.0 / phi_ : std::numeric_limits<double>::infinity();
-  if (oscillates && phi_ < 0.5) return 0.0;
+  if (kind == TimeScale::Kind::drifts) return sweeps == 1 ? 1.0 : std::numeric_limits<double>::infinity();
+  if ((oscillates || kind == TimeScale::Kind::waves) && phi_ < 0.5) return 0.0;
+  if (kind == TimeScale::Kind::waves && sweeps == 1) return 0.0;
+  if (kind == TimeScale::Kind::waves && sweeps == 2) return std::sqrt(2.0 * phi_ - 1.0) / phi_;
   if (sweeps == 1 || (phi_ < 0.5 && sweeps % 2 == 1)) return oscillates ? 2.0 / std::sqrt(4.0 * phi_ - 1.0) : 2.0;
   return phi_ < 0.5 ? std::min(contraction, 2.0 / (1.0 - 2.0 * phi_)) : contraction;
 }

@@ -47,7 +47,8 @@ class PhiFamily {
 
   /// How many time scales one step may span: see Limited. Iterated to its fixed point, 1/phi; after one sweep
   /// \f$ 2/\sqrt{4\phi - 1} \f$ of an oscillation and 2 of a decay; below phi = 1/2 no oscillation is stable, and a
-  /// decay is over 2 by any odd number of sweeps, over \f$ 2/(1 - 2\phi) \f$ at most by others.
+  /// decay is over 2 by any odd number of sweeps, over \f$ 2/(1 - 2\phi) \f$ at most by others. Waves of values no
+  /// single sweep advances, and two do up to \f$ \sqrt{2\phi - 1}/\phi \f$.
   ///
   /// @param kind    of time scale
   /// @param sweeps  of every step; 0: until they have converged

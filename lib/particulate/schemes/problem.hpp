@@ -235,8 +235,11 @@ concept MeasuresFields = requires(const P& p, std::size_t k, In x, In y) {
 struct TimeScale {
   /// How an explicit step feels it.
   enum class Kind {
-    oscillates,  ///< \f$ 1/\omega \f$: sound, a spring
-    decays       ///< \f$ 1/\lambda \f$: diffusion, drag
+    oscillates,  ///< \f$ 1/\omega \f$ of a motion: a spring
+    waves,       ///< \f$ 1/\omega \f$ of values of first order: sound
+    decays,      ///< \f$ 1/\lambda \f$: diffusion, drag
+    drifts       ///< the step beyond which what a step of forward Euler adds to a disturbance that is carried along
+                 ///< does harm; no other scheme minds
   };
   std::string name;              ///< for reports: "sound"
   Kind kind = Kind::oscillates;  ///< see Kind

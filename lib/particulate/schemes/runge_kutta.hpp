@@ -1,5 +1,7 @@
 #pragma once
 
+#include <limits>
+
 #include <particulate/schemes/problem.hpp>
 #include <particulate/schemes/scales.hpp>
 #include <particulate/schemes/step_rates.hpp>
@@ -21,7 +23,8 @@ struct RungeKutta4 {
   static constexpr bool advances(const Traits& of) { return of.motion || of.values; }
   /// @param kind  of time scale @return how many of them one step may span: see Limited [-]
   static double spans(TimeScale::Kind kind, int) {
-    return kind == TimeScale::Kind::oscillates ? 2.8284271247461903 : 2.785293563405282;
+    if (kind == TimeScale::Kind::drifts) return std::numeric_limits<double>::infinity();
+    return kind == TimeScale::Kind::decays ? 2.785293563405282 : 2.8284271247461903;
   }
 
   /// One step.

@@ -82,6 +82,11 @@ concept Limited = requires(const S& s, TimeScale::Kind kind, int sweeps) {
   { s.spans(kind, sweeps) } -> std::same_as<double>;
 };
 
+/// Ability of a Limited scheme: `adds_limits`, a constant. Waves and decays then share a step:
+/// \f$ (\Delta t/\Delta t_w)^2 + \Delta t/\Delta t_d \le 1 \f$ with what each alone allows.
+template <class S>
+concept AddsLimits = Limited<S> && S::adds_limits;
+
 /// What a scheme thinks of the error that one step left.
 struct Truncation {
   double error = std::numeric_limits<double>::quiet_NaN();  ///< in the scheme's own measure; NaN: no estimate

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -37,6 +38,14 @@ Staggered::Staggered(std::vector<Field> fields, Seen seen, std::optional<Aitken>
           fmt::format("staggering: field {}: p must be at least 1, got {}", field.name, field.p));
     }
   }
+}
+
+double Staggered::spans(TimeScale::Kind kind, int sweeps) const {
+  const double none = std::numeric_limits<double>::infinity();
+  if (relaxation_ || kind == TimeScale::Kind::oscillates) return none;
+  if (kind == TimeScale::Kind::drifts) return sweeps == 1 ? 1.0 : none;
+  if (kind == TimeScale::Kind::waves && sweeps == 1 && seen_ == Seen::previous) return 0.0;
+  return sweeps == 1 ? 2.0 : 1.0;
 }
 
 bool Staggered::predict(const Problem& problem, const State& from, double dt, State& to) {

@@ -64,6 +64,17 @@ class Staggered {
   /// @param of  what a problem has @return whether it has fields
   static constexpr bool advances(const Traits& of) { return of.staggered; }
 
+  /// How many time scales one step may span, of fields that are each solved by a step of Euler: see Limited. With the
+  /// newest values one sweep is a leapfrog between the fields, over 2 of a wave; iterated to its fixed point it
+  /// contracts over 1, with those of the last sweep too. One sweep of these is forward Euler. Of relaxed sweeps nothing
+  /// is known.
+  ///
+  /// @param kind    of time scale
+  /// @param sweeps  of every step; 0: until they have converged
+  /// @return multiple of the time scale [-]
+  double spans(TimeScale::Kind kind, int sweeps) const;
+  static constexpr bool adds_limits = true;  ///< see AddsLimits
+
   /// @param fields      as many as the problem has, in the order in which they are solved
   /// @param seen        which values of the others a field sees
   /// @param relaxation  none: each sweep is taken as it is; only with Seen::newest
