@@ -4,6 +4,13 @@
 #include <utility>
 #include <vector>
 
+#include <particulate/schemes/euler.hpp>
+#include <particulate/schemes/fixed_step.hpp>
+#include <particulate/schemes/fixed_sweeps.hpp>
+#include <particulate/schemes/integrate.hpp>
+#include <particulate/schemes/runge_kutta.hpp>
+#include <particulate/schemes/staggering.hpp>
+
 #include "close.hpp"
 
 namespace tests::flow_test {
@@ -115,13 +122,17 @@ BOOST_AUTO_TEST_CASE(refuses_what_no_fluid_is) {
   const auto refuses = [](Local<1> here, const char* words) {
     CHECK_REFUSED(ring.start([&](const Vector<1>& x) { return x[0] > 2.0 ? here : Local<1>{}; }), words);
   };
-  refuses({.rho = 0.0}, "a start must have positive densities and temperatures, and be finite; got 0 kg/m^3");
-  refuses({.rho = -1.0}, "in cell 2");
-  refuses({.theta = 0.0}, "0 K");
-  refuses({.theta = -5.0}, "-5 K");
-  refuses({.rho = not_a_number}, "got nan kg/m^3");
-  refuses({.rho = infinity}, "got inf kg/m^3");
-  refuses({.v = Vector<1>(infinity)}, "inf m/s in cell 2");
+  refuses({.rho = 0.0},
+          "a start must have a positive density and temperature everywhere, and be finite; cell 2 has 0 kg/m^3, 300 K "
+          "and 0 m/s");
+  refuses({.rho = -1.0}, "cell 2 has -1 kg/m^3");
+  refuses({.theta = 0.0}, ", 0 K and");
+  refuses({.theta = -5.0}, ", -5 K and");
+  refuses({.rho = not_a_number}, "cell 2 has nan kg/m^3");
+  refuses({.rho = infinity}, "cell 2 has inf kg/m^3");
+  refuses({.v = Vector<1>(infinity)}, "inf m/s");
+  CHECK_REFUSED(BarotropicFlow<1>(line, barotropic, {}).start([](const Vector<1>&) { return Local<1>{.rho = -1.0}; }),
+                "cell 0 has -1 kg/m^3 and 0 m/s");
 }
 
 BOOST_AUTO_TEST_SUITE_END()
@@ -218,7 +229,7 @@ BOOST_AUTO_TEST_CASE(has_no_value_without_density_temperature_or_number) {
     bad.y[1] = -0.5;
     return bad;
   }()),
-                      "cell 1 has a density of -0.5 kg/m^3"));
+                      "cell 1 has -0.5 kg/m^3"));
 }
 
 BOOST_AUTO_TEST_CASE(asks_what_is_given_at_its_time_and_a_cell_beyond_the_face) {
@@ -352,6 +363,84 @@ BOOST_AUTO_TEST_CASE(has_no_value_where_the_rate_has_none) {
   State bad = from;
   bad.y[0] = -1.0;
   BOOST_TEST(!ring.solve(1, from, 0.1, bad, bad));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+BOOST_AUTO_TEST_SUITE(step_limits)
+
+using Kind = particulate::schemes::TimeScale::Kind;
+
+// Cells of 1/2 m x 1/4 m: 1/h^2 = 4 and 16.
+const Grid<2> oblong{.cells = {4, 8}, .lengths = {2.0, 2.0}};
+const GasFlow<2> oblong_flow(oblong, gas, periodic<2>());
+constexpr double sound_of_gas = 3.0;  // gamma R theta = 1.5 * 6
+Local<2> warm(const Vector<2>& v) { return {.rho = 2.0, .v = v, .theta = 6.0}; }
+
+template <class F>
+void are(const F& flow, const State& at, const std::vector<particulate::schemes::TimeScale>& expected) {
+  const auto scales = flow.step_limits(at);
+  BOOST_TEST_REQUIRE(scales.size() == expected.size());
+  for (std::size_t k = 0; k < scales.size(); ++k) {
+    BOOST_TEST(scales[k].name == expected[k].name);
+    BOOST_TEST((scales[k].kind == expected[k].kind));
+    BOOST_TEST(scales[k].seconds == expected[k].seconds, tolerance(1e-13));
+  }
+}
+
+// Viscosity 4 * 0.75/2 (20 + 16/3) = 38; conduction 4 * 0.5/(2 * 2) * 20 = 10.
+BOOST_AUTO_TEST_CASE(of_a_fluid_at_rest_are_sound_and_what_diffuses) {
+  are(oblong_flow, oblong_flow.start([](const Vector<2>&) {
+    return warm({0.0, 0.0});
+  }),
+      {{"sound, carried along", Kind::waves, 1.0 / (sound_of_gas * std::sqrt(20.0))},
+       {"viscosity", Kind::decays, 1.0 / 38.0},
+       {"conduction", Kind::decays, 0.1}});
+}
+
+// Two cells a second along both edges, 1/2 and 1/4 of the box: (4 + 4)/0.75.
+BOOST_AUTO_TEST_CASE(of_a_fluid_that_moves_are_those_of_advection_too) {
+  are(oblong_flow, oblong_flow.start([](const Vector<2>&) {
+    return warm({-1.0, 0.5});
+  }),
+      {{"sound, carried along", Kind::waves, 1.0 / (4.0 + sound_of_gas * std::sqrt(20.0))},
+       {"viscosity", Kind::decays, 1.0 / 38.0},
+       {"conduction", Kind::decays, 0.1},
+       {"advection, where one sweep drives it", Kind::drifts, 0.75 / 8.0}});
+}
+
+BOOST_AUTO_TEST_CASE(are_those_of_the_cell_that_is_worst) {
+  State state = oblong_flow.start([](const Vector<2>& x) {
+    return x[0] < 0.5 && x[1] < 0.25 ? warm({0.0, 2.0}) : Local<2>{.rho = 4.0, .theta = 1.5};
+  });
+  const std::vector<particulate::schemes::TimeScale> expected{
+      {"sound, carried along", Kind::waves, 1.0 / (8.0 + sound_of_gas * std::sqrt(20.0))},
+      {"viscosity", Kind::decays, 1.0 / 38.0},
+      {"conduction", Kind::decays, 0.1},
+      {"advection, where one sweep drives it", Kind::drifts, 1.0 / 64.0}};
+  are(oblong_flow, state, expected);
+  state.y[5] = not_a_number;
+  are(oblong_flow, state, expected);
+}
+
+// Sound of 2 m/s crosses a cell of 1 m.
+BOOST_AUTO_TEST_CASE(of_a_barotropic_fluid_without_viscosity_are_sound_alone_and_refuse_longer_steps) {
+  namespace schemes = particulate::schemes;
+  Fluid<particulate::continuum::Barotropic> ideal = barotropic;
+  ideal.viscosity.mu = 0.0;
+  BarotropicFlow<1> flow(line, ideal, periodic<1>());
+  const State still = flow.start([](const Vector<1>&) { return Local<1>{}; });
+  are(flow, still, {{"sound, carried along", Kind::waves, 0.5}});
+  const auto longest = [&](auto scheme, auto control) {
+    State state = still;
+    const schemes::Outcome out = schemes::integrate(flow, state, 10.0, scheme, control);
+    BOOST_TEST(contains(out.reason, "the time scale of sound, carried along, which is 0.5 s"));
+    return out.workable_step;
+  };
+  const auto staggered = [] { return schemes::Staggered({{.name = "density"}, {.name = "momentum"}}); };
+  BOOST_TEST(longest(schemes::RungeKutta4{}, schemes::FixedStep{.step = 2.0}) == std::sqrt(2.0), tolerance(1e-14));
+  BOOST_TEST(longest(staggered(), schemes::FixedSweeps{.step = 1.01, .sweeps = 1}) == 1.0, tolerance(1e-14));
+  BOOST_TEST(longest(staggered(), schemes::FixedSweeps{.step = 0.51, .sweeps = 2}) == 0.5, tolerance(1e-14));
+  BOOST_TEST(longest(schemes::ForwardEuler{}, schemes::FixedStep{.step = 1e-6}) == 0.0);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
