@@ -31,14 +31,22 @@ const Case fluid_cost{
     [](Rows& rows) {
       // A step of the counter is one right-hand side.
       const StepCosts costs = step_costs(PARTICULATE_FLUID_COST, {.few = 2, .many = rows.quick() ? 4 : 20});
-      rows.write("fluid_cost", judge_features(rows, costs, features, "cell", "right-hand side"));
+      report::Table table = judge_features(rows, costs, features, "cell", "right-hand side");
+      const StepCost& sweep = costs.of("sweep");
+      table.add(
+          {"a sweep over density, momentum and energy", "used", sweep.instructions, sweep.allocations, sweep.bytes});
+      rows.write("fluid_cost", table);
+      rows.at_most("instructions of a sweep over those of a right-hand side",
+                   {.limit = 2.5,
+                    .computed = sweep.instructions / costs.of("liquid").instructions,
+                    .because = "cells are measured three times, but each field's own fluxes are formed alone"});
       rows.at_most("instructions without viscosity and heat over a bare loop",
                    {.limit = 1.3,
                     .computed = costs.of("inviscid").instructions / costs.of("bare").instructions,
                     .because = "one kernel serves fluids with viscosity and without"});
       double asked = 0.0;
       for (const auto& [scene, cost] : costs.scenes) asked += scene.starts_with("made_") ? 0.0 : cost.allocations;
-      rows.none("allocations of right-hand sides, all scenes", static_cast<long>(asked),
+      rows.none("allocations of right-hand sides and sweeps, all scenes", static_cast<long>(asked),
                 "all that they need is made with the flow");
       for (const char* fluid : {"barotropic", "liquid", "thinning"}) {
         rows.at_most(fmt::format("own scratch of 32 x 32 x 32 cells, {} [doubles a cell]", fluid),

@@ -48,6 +48,21 @@ CountedRun rates(long times, const Fluid<E, V>& fluid, const Boundaries<3>& face
   return run;
 }
 
+// Here it is one staggered sweep over all fields.
+CountedRun sweeps(long times) {
+  const LiquidFlow<3> flow = flow_of(cube, Fluid<Liquid>{});
+  const schemes::State from = flow.start(start);
+  schemes::State state = from;
+  CountedRun run{.particles = cube.size()};
+  for (long k = 0; k < times; ++k) {
+    for (std::size_t field = 0; field < flow.fields(); ++field) {
+      if (!flow.solve(field, from, 1e-9, state, state)) throw std::runtime_error("there is no rate");
+    }
+    run.sum += state.y[k % state.y.size()];
+  }
+  return run;
+}
+
 // Here it is a flow that is made, of so many cells that ghosts hardly count.
 template <class E, class V>
 CountedRun made(long times, const Fluid<E, V>& fluid) {
@@ -112,6 +127,7 @@ const std::array all{CountedScene{"bare", bare},
                      CountedScene{"barotropic", [](long n) { return rates(n, barotropic); }},
                      CountedScene{"heat_idle", [](long n) { return rates(n, still_liquid); }},
                      CountedScene{"liquid", [](long n) { return rates(n, liquid); }},
+                     CountedScene{"sweep", sweeps},
                      CountedScene{"walls_idle", [](long n) { return rates(n, liquid, smooth); }},
                      CountedScene{"walls_used", [](long n) { return rates(n, liquid, warm); }},
                      CountedScene{"thinning_idle", [](long n) { return rates(n, same_everywhere); }},
