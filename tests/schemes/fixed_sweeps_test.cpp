@@ -29,6 +29,17 @@ BOOST_AUTO_TEST_CASE(accepts_whatever_does_not_diverge) {
   BOOST_TEST(control.judge({.dt = 0.5, .iteration = {}}).accepted);
 }
 
+// Of fields that drive each other the first sweep may move little and the second much.
+BOOST_AUTO_TEST_CASE(does_not_take_two_sweeps_for_divergence_where_time_scales_bound_the_step) {
+  const FixedSweeps control{.step = 0.5};
+  Attempt made{.dt = 0.5, .iteration = {.w_0 = 1.0, .w_K = 1.5, .rate = 1.5, .K = 1}, .within_limits = true};
+  BOOST_TEST(control.judge(made).accepted);
+  made.iteration.K = 2;
+  BOOST_TEST((control.judge(made).failure == Failure::diverging));
+  made.iteration.rounding = 0.01;
+  BOOST_TEST(control.judge(made).accepted);
+}
+
 BOOST_AUTO_TEST_CASE(fails_where_sweeps_diverge_or_there_is_no_value) {
   const FixedSweeps control{.step = 0.5};
   const Decision diverging =

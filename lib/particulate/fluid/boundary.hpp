@@ -37,7 +37,7 @@ struct Given {
   std::function<Local<Dim>(double t, const Vector<Dim>& x)> fluid;  ///< at places up to a cell beyond the face
 };
 
-/// The fluid leaves against a pressure.
+/// The fluid leaves against a pressure. All else goes on with no second derivative at the face.
 struct Outflow {
   double P = 1e5;  ///< at the face [Pa]
 };

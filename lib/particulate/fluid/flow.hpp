@@ -50,6 +50,8 @@ concept HasTemperature = requires(const EquationOfState& law, double x) {
 /// energy, and make no kinetic energy by convection (Kennedy and Gruber). Stresses and conduction stand at the same
 /// faces: normal differences across them, transverse ones as means of central differences. Order 2 in h.
 ///
+/// Asked for a rate it writes into scratch of its own: threads that ask at once need a copy each.
+///
 /// Its state is y = (rho | rho v | E), field by field, x fastest.
 /// @tparam Dim  1, 2 or 3
 template <int Dim, class EquationOfState, class Viscosity = continuum::ConstantViscosity>
@@ -83,8 +85,9 @@ class Flow {
   ///
   /// @equation{D 8.4} with the speed of sound s. RungeKutta4 spans 2 sqrt 2 of the first and 2.785 of what diffuses,
   /// one sweep of Staggered 2 and 2, sweeps that converge 1 and 1: schemes::AddsLimits. One sweep takes a step of
-  /// forward Euler along the flow, which no step makes stable without diffusion: t_d is the step with which a
-  /// disturbance grows at most e-fold while the fluid crosses the box. Cells without a value are left out.
+  /// forward Euler along the flow, which no step makes stable without diffusion: with t_d sound grows at most e-fold
+  /// while it crosses the box. On a supersonic stream sweeps contract less than this says; a control that looks at them
+  /// refuses those that diverge. Cells without a value are left out.
   ///
   /// @param at  a state
   /// @return those that there are
@@ -100,6 +103,13 @@ class Flow {
   /// @param k  which field
   /// @return where it stands in y
   schemes::Part part(std::size_t k) const;
+  /// What the size of a field is, for rounding: of momentum that of sound, \f$ \rho s \f$ in every cell, because a
+  /// fluid that comes to rest still has the rounding of its pressure. @see schemes::HasFieldSizes
+  ///
+  /// @param k   which field
+  /// @param at  a state
+  /// @return sum over cells of the absolute values
+  double field_size(std::size_t k, const schemes::State& at) const;
   /// One field, one step of Euler's, the others frozen. @see schemes::StaggeredProblem
   ///
   /// @equation{R 8.4} \f$ y_k(t + \Delta t) = y_k(t) + \Delta t\,\dot y_k(t + \Delta t, y) \f$, with y as the sweep has
@@ -129,6 +139,7 @@ class Flow {
 
  private:
   double pressure_of(double rho, double theta) const;
+  double speed_of_sound_at(const Local<Dim>& here) const;
   detail::Cells measured() const;
   bool measure(double t, schemes::In y) const;
   bool apply_laws(double* rho) const;

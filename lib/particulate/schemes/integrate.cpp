@@ -285,7 +285,7 @@ class Run {
   // The guess, then sweeps for as long as the controller asks for them.
   Attempt attempt() {
     const SchemeTable& can = task_.scheme_can;
-    Attempt made{.dt = dt_, .iteration = {}};
+    Attempt made{.dt = dt_, .iteration = {}, .within_limits = problem_.has_step_limits() && can.spans};
     Iteration& it = made.iteration;
     it.evaluated = can.predict(task_.scheme, problem_, state_, dt_, to_);
     if (can.sweep) {

@@ -1,5 +1,6 @@
 #include <particulate/schemes/problem.hpp>
 
+#include <algorithm>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -16,6 +17,11 @@ double Problem::distance(const In& x, const In& y) const {
 
 double Problem::distance(std::size_t k, const In& x, const In& y) const {
   return can_->field_distance ? can_->field_distance(self_, k, x, y) : (x - y).lpNorm<1>();
+}
+
+double Problem::size(std::size_t k, const State& at, const In& x) const {
+  const double own = distance(k, x, Eigen::VectorXd::Zero(x.size()));
+  return can_->field_size ? std::max(own, can_->field_size(self_, k, at)) : own;
 }
 
 std::vector<Range> Problem::ranges(Eigen::Index size) const {

@@ -263,6 +263,13 @@ struct Traits {
 
 class Problem;
 
+/// Ability of a staggered problem: `field_size(k, state)`, what the rounding of a field is measured by, where its own
+/// size, its distance from zero, may become zero while that of what drives it does not.
+template <class P>
+concept HasFieldSizes = requires(const P& p, std::size_t k, const State& at) {
+  { p.field_size(k, at) } -> std::same_as<double>;
+};
+
 /// What can be integrated: one of the four forms of a right-hand side, or staggered fields.
 template <class P>
 concept AnyProblem = FirstOrderProblem<P> || SecondOrderProblem<P> || CoupledProblem<P> || StaggeredProblem<P>;
@@ -360,6 +367,7 @@ struct Abilities {
   bool (*solve)(void*, std::size_t, const State&, double, const State&, State&) = nullptr;
   Part (*part)(void*, std::size_t) = nullptr;
   double (*field_distance)(const void*, std::size_t, const In&, const In&) = nullptr;
+  double (*field_size)(const void*, std::size_t, const State&) = nullptr;
   std::vector<TimeScale> (*step_limits)(void*, const State&) = nullptr;
 };
 
@@ -422,6 +430,9 @@ constexpr void add_measures(Abilities& can) {
     can.field_distance = [](const void* p, std::size_t k, const In& x, const In& y) {
       return as<P>(p).distance(k, x, y);
     };
+  }
+  if constexpr (HasFieldSizes<P>) {
+    can.field_size = [](const void* p, std::size_t k, const State& at) { return as<P>(p).field_size(k, at); };
   }
   if constexpr (HasScales<P>) {
     can.spacing = [](const void* p, const In& r) { return as<P>(p).spacing(r); };
@@ -579,6 +590,13 @@ class Problem {
   /// @param y  another value of it
   /// @return distance, >= 0, in its unit
   double distance(std::size_t k, const In& x, const In& y) const;
+  /// What the rounding of one staggered field is measured by: see HasFieldSizes.
+  ///
+  /// @param k   which field
+  /// @param at  a state
+  /// @param x   what the field owns of it, of motion the places
+  /// @return its distance from zero, or more
+  double size(std::size_t k, const State& at, const In& x) const;
   /// @return whether it knows its scales: see HasScales
   bool has_scales() const { return can_->spacing; }
   /// @param r  places [m] @return the distance of the two nearest bodies; 0 where it is unknown [m]

@@ -99,6 +99,7 @@ struct Attempt {
   Iteration iteration;                     ///< how its iteration went
   Truncation truncation = {};              ///< of the scheme, if it estimates any
   std::span<const Iteration> fields = {};  ///< of every part of the state, where it has several
+  bool within_limits = false;              ///< the problem's time scales have bounded the step: see Limited
 };
 
 /// Ability of a scheme: one Iteration for each of several parts of the state, each in units of that part's tolerance;

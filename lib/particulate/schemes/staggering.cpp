@@ -123,7 +123,7 @@ Iteration Staggered::sweep(const Problem& problem, const State& from, double dt,
       measures_[k].no_value();
       break;
     }
-    record(problem, k, to);
+    record(problem, k, from, to);
   }
   collect();
   const Iteration worst = worst_of(iterations_);
@@ -139,12 +139,11 @@ void Staggered::at(const State& from, double dt, double theta, State& there) con
   there.y = from.y + theta * (end_.y - from.y);
 }
 
-void Staggered::record(const Problem& problem, std::size_t k, const State& to) {
+void Staggered::record(const Problem& problem, std::size_t k, const State& from, const State& to) {
   const Eigen::Index n = owned_[k].measured;
   const Eigen::VectorXd value = read(owned_[k], to).head(n);
   if (measures_[k].waits_for_first()) {
-    measures_[k].normalize(problem.distance(k, value, starts_[k].head(n)),
-                           problem.distance(k, starts_[k].head(n), Eigen::VectorXd::Zero(n)));
+    measures_[k].normalize(problem.distance(k, value, starts_[k].head(n)), problem.size(k, from, starts_[k].head(n)));
   }
   measures_[k].record(problem.distance(k, value, olds_[k].head(n)));
 }

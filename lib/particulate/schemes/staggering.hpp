@@ -126,7 +126,7 @@ class Staggered {
   void begin(const Problem& problem, const State& to);
   void collect();
   double relaxation_factor();
-  void record(const Problem& problem, std::size_t k, const State& to);
+  void record(const Problem& problem, std::size_t k, const State& from, const State& to);
   void relax(State& to);
   std::size_t first_relaxed() const { return fields_.size() > 1 ? 1 : 0; }
 
