@@ -162,6 +162,15 @@ BOOST_AUTO_TEST_CASE(of_a_barotropic_fluid_are_two) {
   BOOST_TEST(flow.part(1).size == 32);
 }
 
+// Momentum is measured by sound: gamma R theta = 1.5 * 6, so 3 m/s in each of 16 cells of 2 kg/m^3.
+BOOST_AUTO_TEST_CASE(have_sizes_that_do_not_vanish_in_a_fluid_at_rest) {
+  const GasFlow<2> flow({.cells = {4, 4}}, gas, periodic<2>());
+  const State still = flow.start([](const Vector<2>&) { return Local<2>{.rho = 2.0, .theta = 6.0}; });
+  BOOST_TEST(flow.field_size(0, still) == 32.0, tolerance(1e-14));
+  BOOST_TEST(flow.field_size(1, still) == 96.0, tolerance(1e-14));
+  BOOST_TEST(flow.field_size(2, still) == 16.0 * 24.0, tolerance(1e-14));
+}
+
 BOOST_AUTO_TEST_SUITE_END()
 BOOST_AUTO_TEST_SUITE(rate)
 
@@ -406,6 +415,16 @@ BOOST_AUTO_TEST_CASE(of_a_fluid_that_moves_are_those_of_advection_too) {
        {"viscosity", Kind::decays, 1.0 / 38.0},
        {"conduction", Kind::decays, 0.1},
        {"advection, where one sweep drives it", Kind::drifts, 0.75 / 8.0}});
+}
+
+// lambda + mu = 4 mu: 4 * 0.75 (3 + 4 * 9/8) = 22.5.
+BOOST_AUTO_TEST_CASE(of_three_dimensions_leave_room_for_waves_along_the_diagonal) {
+  Fluid<particulate::continuum::IdealGas> stiff = gas;
+  stiff.lambda_over_mu = 3.0;
+  const GasFlow<3> flow({.cells = {4, 4, 4}, .lengths = {4.0, 4.0, 4.0}}, stiff, periodic<3>());
+  const auto scales = flow.step_limits(flow.start([](const Vector<3>&) { return Local<3>{}; }));
+  BOOST_TEST_REQUIRE(scales.size() == 3);
+  BOOST_TEST(scales[1].seconds == 1.0 / 22.5, tolerance(1e-14));
 }
 
 BOOST_AUTO_TEST_CASE(are_those_of_the_cell_that_is_worst) {
