@@ -110,8 +110,11 @@ CountedRun bare(long times) {
   }
   Eigen::VectorXd same(state.y.size());
   if (!flow.rate(0.0, state.y, same)) throw std::runtime_error("there is no rate");
-  const double off = (same - Eigen::Map<const Eigen::VectorXd>(dy.data(), same.size())).cwiseAbs().maxCoeff();
-  if (!(off < 1e-9 * same.cwiseAbs().maxCoeff())) throw std::runtime_error("the bare loop computes something else");
+  const Eigen::VectorXd own = Eigen::Map<const Eigen::VectorXd>(dy.data(), same.size()), off = same - own;
+  for (Eigen::Index f = 0; f < 4; ++f) {
+    const auto size = [&](const auto& all) { return all.segment(f * cube.size(), cube.size()).cwiseAbs().maxCoeff(); };
+    if (!(size(off) < 1e-9 * size(own))) throw std::runtime_error("the bare loop computes something else");
+  }
   return run;
 }
 
