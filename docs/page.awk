@@ -16,7 +16,7 @@
 # Doxygen would not notice that, a test does, by -v check=1, which prints nothing else.
 
 BEGIN {
-  topic = "^(kinematics|schemes|laws|contact|scenes|identification|swarm|thermo|reference|report)::[A-Za-z_]"
+  topic = "^(kinematics|schemes|laws|contact|scenes|identification|swarm|thermo|scattering|continuum|fluid|reference|report)::[A-Za-z_]"
   raw = "(^|[^A-Za-z0-9_.\\\\])[@\\\\](f[$[{]|[a-z]+)|[{]#"
 }
 

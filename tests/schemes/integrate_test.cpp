@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <particulate/schemes/collocation.hpp>
+#include <particulate/schemes/euler.hpp>
 #include <particulate/schemes/fixed_step.hpp>
 #include <particulate/schemes/fixed_sweeps.hpp>
 #include <particulate/schemes/phi_control.hpp>
@@ -648,6 +649,44 @@ BOOST_AUTO_TEST_CASE(know_how_many_sweeps_the_control_makes) {
   BOOST_TEST((two.failure == Failure::beyond_limit));
   BOOST_TEST(two.workable_step == 1.0);
   BOOST_TEST((run(problem, state, 2.2, scheme, FixedStep{.step = 1.1}).failure == Failure::beyond_limit));
+}
+
+// Values that turn as y' = i y, beside a decay. With w = 2 sqrt 2 * 0.1 s and d = 2.785 * 0.1 s the step is what solves
+// (Dt/w)^2 + Dt/d = 1.
+struct Turning {
+  bool rate(double, In y, Out dy) const {
+    dy << -y[1], y[0];
+    return true;
+  }
+  std::vector<TimeScale> step_limits(const State&) const {
+    return {{.name = "sound", .kind = TimeScale::Kind::waves, .seconds = 0.1},
+            {.name = "diffusion", .kind = TimeScale::Kind::decays, .seconds = 0.1},
+            {.name = "advection", .kind = TimeScale::Kind::drifts, .seconds = 1e-3}};
+  }
+};
+
+struct Sharing : RungeKutta4 {
+  static constexpr bool adds_limits = true;
+};
+
+BOOST_AUTO_TEST_CASE(are_shared_by_waves_and_decays) {
+  const Turning problem;
+  const double w = 0.28284271247461903, d = 0.2785293563405282;
+  const double together = w * (std::sqrt(w * w / (4.0 * d * d) + 1.0) - w / (2.0 * d));
+  State state{.y = Eigen::Vector2d(1.0, 0.0)};
+  const Outcome outcome = run(problem, state, 1.0, Sharing(), FixedStep{.step = 0.25});
+  BOOST_TEST((outcome.failure == Failure::beyond_limit));
+  BOOST_TEST(outcome.workable_step == together, tolerance(1e-14));
+  BOOST_TEST(contains(outcome.reason,
+                      "of the time scale of diffusion, which is 0.1 s (with sound beside it, 0.1 s, "
+                      "fewer), but the fixed step is 0.25 s: take at most 0.173"));
+  BOOST_TEST((run(problem, state, 1.0, Sharing(), FixedStep{.step = together}).status == Status::reached));
+  BOOST_TEST(run(problem, state, 2.0, RungeKutta4(), FixedStep{.step = 0.3}).workable_step == d, tolerance(1e-14));
+}
+
+BOOST_AUTO_TEST_CASE(let_no_forward_euler_step_advance_a_wave) {
+  State state{.y = Eigen::Vector2d(1.0, 0.0)};
+  BOOST_TEST(run(Turning{}, state, 1.0, ForwardEuler(), FixedStep{.step = 1e-6}).workable_step == 0.0);
 }
 
 BOOST_AUTO_TEST_CASE(that_no_step_can_meet_fail_the_adaptive_one_too) {

@@ -55,6 +55,14 @@ double error_of_driven(S scheme, int steps) {
   return std::abs(state.y[0] - std::sin(1.3));
 }
 
+// y' = i y.
+struct Turning {
+  bool rate(double, In y, Out dy) const {
+    dy << -y[1], y[0];
+    return true;
+  }
+};
+
 // The largest number in the state over so many steps on a time scale of 1 s, or until it is all but zero; infinite if
 // the run fails.
 template <class C>
@@ -68,8 +76,14 @@ double largest_amplitude(double phi, TimeScale::Kind kind, C control, double ste
   };
   State state = kind == TimeScale::Kind::decays ? one() : body(1.0, 0.0);
   const double t_end = steps * control.step;
-  const Outcome outcome = kind == TimeScale::Kind::decays ? run(Decay{}, state, t_end, scheme, control, observe)
-                                                          : run(Spring{}, state, t_end, scheme, control, observe);
+  Outcome outcome;
+  if (kind == TimeScale::Kind::waves) {
+    state = {.y = Eigen::Vector2d(1.0, 0.0)};
+    outcome = run(Turning{}, state, t_end, scheme, control, observe);
+  } else {
+    outcome = kind == TimeScale::Kind::decays ? run(Decay{}, state, t_end, scheme, control, observe)
+                                              : run(Spring{}, state, t_end, scheme, control, observe);
+  }
   return outcome.status != Status::failed ? largest : infinity;
 }
 
@@ -243,6 +257,19 @@ BOOST_AUTO_TEST_CASE(spans_of_a_time_scale_what_its_sweeps_allow_and_no_more) {
       spans_exactly(phi, TimeScale::Kind::decays, converged, 100.0);
     }
   }
+}
+
+// |1 + i z - phi z^2| <= 1 for two sweeps; one is forward Euler.
+BOOST_AUTO_TEST_CASE(spans_waves_of_values_in_two_sweeps_or_more) {
+  for (const double phi : {1.0, 0.75}) {
+    BOOST_TEST(PhiFamily<>(phi).spans(TimeScale::Kind::waves, 1) == 0.0);
+    BOOST_TEST(PhiFamily<>(phi).spans(TimeScale::Kind::waves, 2) == std::sqrt(2.0 * phi - 1.0) / phi);
+    spans_exactly(phi, TimeScale::Kind::waves, FixedSweeps{.step = 1.0, .sweeps = 2}, 12000.0);
+  }
+  BOOST_TEST(largest_amplitude(1.0, TimeScale::Kind::waves, FixedSweeps{.step = 0.1, .sweeps = 1}) > 1e5);
+  BOOST_TEST(largest_amplitude(0.5, TimeScale::Kind::waves, FixedSweeps{.step = 1.0, .sweeps = 2}) > 1e5);
+  BOOST_TEST(PhiFamily<>(0.5).spans(TimeScale::Kind::waves, 2) == 0.0);
+  BOOST_TEST(PhiFamily<>(0.4).spans(TimeScale::Kind::waves, 0) == 0.0);
 }
 
 // Below one half no step on an oscillation is stable, however small; of a decay 2/(1 - 2 phi), where the sweeps

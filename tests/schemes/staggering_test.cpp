@@ -1,5 +1,7 @@
 #include <particulate/schemes/staggering.hpp>
 
+#include <limits>
+
 #include <Eigen/LU>
 
 #include <particulate/schemes/coupled_pair.hpp>
@@ -52,6 +54,29 @@ struct Carriage {
     return state;
   }
 };
+
+// Two fields that drive each other, y' = i y; the second has the size of the whole.
+struct Wave {
+  std::size_t fields() const { return 2; }
+  Part part(std::size_t k) const { return {.first = static_cast<Eigen::Index>(k), .size = 1}; }
+  bool solve(std::size_t k, const State& from, double dt, const State& seen, State& to) const {
+    to.y[k == 0 ? 0 : 1] = k == 0 ? from.y[0] - dt * seen.y[1] : from.y[1] + dt * seen.y[0];
+    return true;
+  }
+  double field_size(std::size_t k, const State& at) const { return k == 0 ? 0.0 : at.y.norm(); }
+};
+
+// The larger of both numbers after so many steps.
+double after_steps(Staggered scheme, double dt, int sweeps, int steps) {
+  const Wave wave;
+  State state{.y = Eigen::Vector2d(1.0, 1.0)}, to;
+  for (int step = 0; step < steps; ++step) {
+    scheme.predict(Problem(wave), state, dt, to);
+    for (int sweep = 0; sweep < sweeps; ++sweep) scheme.sweep(Problem(wave), state, dt, to);
+    state = to;
+  }
+  return state.y.cwiseAbs().maxCoeff();
+}
 
 BOOST_AUTO_TEST_SUITE(Aitken_)
 
@@ -131,6 +156,34 @@ BOOST_AUTO_TEST_CASE(brings_nothing_of_one_step_into_the_next) {
     fresh.sweep(pair, start, 0.5, again);
     BOOST_TEST(close(to.y, again.y, {}));
   }
+}
+
+// One sweep is leapfrog: trace 2 - z^2, determinant 1. Of more, and of those that converge, z^2 is the contraction.
+// With the last sweep's values one sweep is forward Euler.
+BOOST_AUTO_TEST_CASE(spans_of_a_wave_what_its_sweeps_allow_and_no_more) {
+  const Staggered newest(fields()), previous(fields(), Seen::previous);
+  using Kind = TimeScale::Kind;
+  BOOST_TEST((newest.spans(Kind::waves, 1) == 2.0 && newest.spans(Kind::waves, 2) == 1.0));
+  BOOST_TEST((newest.spans(Kind::waves, 0) == 1.0 && newest.spans(Kind::decays, 0) == 1.0));
+  BOOST_TEST((previous.spans(Kind::waves, 1) == 0.0 && previous.spans(Kind::waves, 2) == 1.0));
+  BOOST_TEST((newest.spans(Kind::drifts, 1) == 1.0 && newest.spans(Kind::drifts, 2) == infinity));
+  BOOST_TEST(after_steps(newest, 2.0 - 1e-3, 1, 3000) < 100.0);
+  BOOST_TEST(after_steps(newest, 2.0 + 1e-3, 1, 3000) > 1e6);
+  BOOST_TEST(after_steps(newest, 1.0 - 1e-3, 2, 3000) < 1.0);
+  BOOST_TEST(after_steps(newest, 1.0 + 1e-3, 2, 3000) > 100.0);
+  BOOST_TEST(after_steps(previous, 0.1, 1, 3000) > 1e5);
+}
+
+// One rounding of the whole, over the displacement of the first sweep: eps (1 + 0.1)/0.1 in units of 1e-6.
+BOOST_AUTO_TEST_CASE(measures_rounding_by_the_size_that_a_field_is_given) {
+  const Wave wave;
+  const State from{.y = Eigen::Vector2d(1.0, 0.0)};
+  Staggered scheme(fields(1e-6));
+  State to;
+  scheme.predict(Problem(wave), from, 0.1, to);
+  scheme.sweep(Problem(wave), from, 0.1, to);
+  BOOST_TEST(scheme.iterations()[1].rounding == 1.1 / 0.1 * std::numeric_limits<double>::epsilon() * 1e6,
+             tolerance(1e-12));
 }
 
 BOOST_AUTO_TEST_CASE(says_that_a_field_has_no_value) {

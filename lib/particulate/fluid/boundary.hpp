@@ -38,6 +38,9 @@ struct Given {
 };
 
 /// The fluid leaves against a pressure. All else goes on with no second derivative at the face.
+///
+/// For streams that carry more than they diffuse: where viscosity is all (a Reynolds number of the box below about 1/2)
+/// a given pressure alone is no condition under which a gas stays at rest, and disturbances grow.
 struct Outflow {
   double P = 1e5;  ///< at the face [Pa]
 };

@@ -382,16 +382,14 @@ std::vector<schemes::TimeScale> Flow<Dim, E, V>::step_limits(const schemes::Stat
   for (Eigen::Index n = 0; n < grid_.size(); ++n) {
     const Local<Dim> here = local(at, n);
     if (!is_value(here)) continue;
-    double cells = 0.0, squares = 0.0, boxes = 0.0;  // that are crossed a second
+    double carried = 0.0;  // how many cells are crossed a second
     const double sound = speed_of_sound_at(here);
     if (has_heat) all.conducts = std::max(all.conducts, conducts / here.rho);
-    for (int a = 0; a < Dim; ++a) {
-      const double crossed = std::abs(here.v[a]) / grid_.h(a);
-      cells += crossed, squares += crossed * crossed, boxes += std::abs(here.v[a]) / grid_.lengths[a];
-    }
-    all.waves = std::max(all.waves, cells + sound * std::sqrt(sum));
+    for (int a = 0; a < Dim; ++a) carried += std::abs(here.v[a]) / grid_.h(a);
+    const double sounds = sound * std::sqrt(sum);
+    all.waves = std::max(all.waves, carried + sounds);
     all.viscous = std::max(all.viscous, viscous * viscosity(fluid_.viscosity, here.theta) / here.rho);
-    if (boxes > 0.0) all.drifts = std::max(all.drifts, squares / boxes);
+    all.drifts = std::max(all.drifts, carried * (carried + 0.5 * sounds) * grid_.lengths.minCoeff() / sound);
   }
   using Kind = schemes::TimeScale::Kind;
   std::vector<schemes::TimeScale> scales;

@@ -81,13 +81,13 @@ class Flow {
   ///     \frac1{t_\mu} = \max \frac{4\mu}{\rho} \Big(\sum_a \frac1{h_a^2}
   ///     + \Big(1 + \frac\lambda\mu\Big) \max_a \frac1{h_a^2}\Big),\quad
   ///     \frac1{t_K} = \max \frac{4K}{\rho c} \sum_a \frac1{h_a^2},\quad
-  ///     \frac1{t_d} = \max \frac{\sum_a u_a^2/h_a^2}{\sum_a |u_a|/L_a} \f]
+  ///     \frac1{t_d} = \max \frac{\min_a L_a}s \left(U^2 + \tfrac12 U S\right) \f]
   ///
-  /// @equation{D 8.4} with the speed of sound s. RungeKutta4 spans 2 sqrt 2 of the first and 2.785 of what diffuses,
-  /// one sweep of Staggered 2 and 2, sweeps that converge 1 and 1: schemes::AddsLimits. One sweep takes a step of
-  /// forward Euler along the flow, which no step makes stable without diffusion: with t_d sound grows at most e-fold
-  /// while it crosses the box. On a supersonic stream sweeps contract less than this says; a control that looks at them
-  /// refuses those that diverge. Cells without a value are left out.
+  /// @equation{D 8.4} with the speed of sound s, and U and S for the two terms of the first. RungeKutta4 spans 2 sqrt 2
+  /// of the first and 2.785 of what diffuses, one sweep of Staggered 2 and 2, sweeps that converge 1 and 1:
+  /// schemes::AddsLimits. One sweep takes a step of forward Euler along the flow, which no step makes stable without
+  /// diffusion: with t_d sound grows at most e-fold while it crosses the box. On a supersonic stream sweeps contract
+  /// less than this says; a control that looks at them refuses those that diverge. Cells without a value are left out.
   ///
   /// @param at  a state
   /// @return those that there are
@@ -134,8 +134,10 @@ class Flow {
   /// @return what is there
   Local<Dim> local(const schemes::State& at, Eigen::Index cell) const;
 
-  const Grid<Dim>& grid() const { return grid_; }                            ///< the grid
-  const Fluid<EquationOfState, Viscosity>& fluid() const { return fluid_; }  ///< the laws
+  /// @return the grid
+  const Grid<Dim>& grid() const { return grid_; }
+  /// @return the laws
+  const Fluid<EquationOfState, Viscosity>& fluid() const { return fluid_; }
 
  private:
   double pressure_of(double rho, double theta) const;

@@ -31,8 +31,8 @@ bool is_table(const std::string& name) {
 bool is_result(const std::string& file) {
   const std::size_t dot = std::min(file.find('.'), file.size());
   const std::string ending = file.substr(dot);
-  return file == parameters ||
-         (is_table(file.substr(0, dot)) && (ending == ".csv" || ending == ".xyz" || ending == ".vtp"));
+  return file == parameters || (is_table(file.substr(0, dot)) &&
+                                (ending == ".csv" || ending == ".xyz" || ending == ".vtp" || ending == ".vti"));
 }
 
 // What the run at work, or one that was cut short, has written so far.
@@ -115,7 +115,7 @@ void Output::write(const std::string& name, const Table& table) const {
 void Output::write_file(const std::string& file, std::string_view content) const {
   if (!is_result(file)) {
     throw std::invalid_argument(fmt::format(
-        "output: a file's name must be lower-case letters, digits and underscores, with .xyz or .vtp, got \"{}\"",
+        "output: a file's name must be lower-case letters, digits and underscores, with .xyz, .vtp or .vti, got \"{}\"",
         file));
   }
   add(file, content);

@@ -32,7 +32,7 @@ class Output {
   /// @throws std::invalid_argument for another kind of name, std::runtime_error if the file cannot be written
   void write(const std::string& name, const Table& table) const;
   /// Writes a file that is no table, whole: for other programs to read.
-  /// @param file     name with its ending: lower-case letters, digits, underscores, and .xyz or .vtp
+  /// @param file     name with its ending: lower-case letters, digits, underscores, and .xyz, .vtp or .vti
   /// @param content  every byte of it
   /// @throws std::invalid_argument for another kind of name, std::runtime_error if the file cannot be written
   void write_file(const std::string& file, std::string_view content) const;

@@ -21,7 +21,6 @@ struct RungeKutta4 {
   static constexpr int order = 4;  ///< of the global error [-]
   /// @param of  what a problem has @return whether it has motion or values
   static constexpr bool advances(const Traits& of) { return of.motion || of.values; }
-  static constexpr bool adds_limits = true;  ///< see AddsLimits: both at their own limits at once are not stable
   /// @param kind  of time scale @return how many of them one step may span: see Limited [-]
   static double spans(TimeScale::Kind kind, int) {
     if (kind == TimeScale::Kind::drifts) return std::numeric_limits<double>::infinity();
