@@ -406,7 +406,7 @@ BOOST_AUTO_TEST_CASE(of_a_fluid_at_rest_are_sound_and_what_diffuses) {
        {"conduction", Kind::decays, 0.1}});
 }
 
-// Two cells a second along both edges, 1/2 and 1/4 of the box: (4 + 4)/0.75.
+// Two cells a second along both edges, U = 4; sound crosses S = 3 sqrt(20), and 3 m of a box of 2 m: (16 + 4 S/2) 2/3.
 BOOST_AUTO_TEST_CASE(of_a_fluid_that_moves_are_those_of_advection_too) {
   are(oblong_flow, oblong_flow.start([](const Vector<2>&) {
     return warm({-1.0, 0.5});
@@ -414,7 +414,7 @@ BOOST_AUTO_TEST_CASE(of_a_fluid_that_moves_are_those_of_advection_too) {
       {{"sound, carried along", Kind::waves, 1.0 / (4.0 + sound_of_gas * std::sqrt(20.0))},
        {"viscosity", Kind::decays, 1.0 / 38.0},
        {"conduction", Kind::decays, 0.1},
-       {"advection, where one sweep drives it", Kind::drifts, 0.75 / 8.0}});
+       {"advection, where one sweep drives it", Kind::drifts, 1.5 / (16.0 + 6.0 * std::sqrt(20.0))}});
 }
 
 // lambda + mu = 4 mu: 4 * 0.75 (3 + 4 * 9/8) = 22.5.
@@ -435,7 +435,7 @@ BOOST_AUTO_TEST_CASE(are_those_of_the_cell_that_is_worst) {
       {"sound, carried along", Kind::waves, 1.0 / (8.0 + sound_of_gas * std::sqrt(20.0))},
       {"viscosity", Kind::decays, 1.0 / 38.0},
       {"conduction", Kind::decays, 0.1},
-      {"advection, where one sweep drives it", Kind::drifts, 1.0 / 64.0}};
+      {"advection, where one sweep drives it", Kind::drifts, 1.5 / (64.0 + 12.0 * std::sqrt(20.0))}};
   are(oblong_flow, state, expected);
   state.y[5] = not_a_number;
   are(oblong_flow, state, expected);
