@@ -406,7 +406,7 @@ BOOST_AUTO_TEST_CASE(of_a_fluid_at_rest_are_sound_and_what_diffuses) {
        {"conduction", Kind::decays, 0.1}});
 }
 
-// Two cells a second along both edges, U = 4; sound crosses S = 3 sqrt(20), and 3 m of a box of 2 m: (16 + 4 S/2) 2/3.
+// (U^2 + U S/2) L/s with U = 2 + 2 and S = 3 sqrt(20) cells a second, L = 2 m and s = 3 m/s.
 BOOST_AUTO_TEST_CASE(of_a_fluid_that_moves_are_those_of_advection_too) {
   are(oblong_flow, oblong_flow.start([](const Vector<2>&) {
     return warm({-1.0, 0.5});
