@@ -21,6 +21,8 @@ set(assignment_topics_ch06 swarm)
 set(assignment_sources_ch06 kinematics/particles schemes/state swarm/objective)
 set(assignment_topics_ch07 thermo)
 set(assignment_sources_ch07 thermo/cooling)
+set(assignment_topics_ch08 continuum)
+set(assignment_sources_ch08 continuum/equation_of_state)
 set(assignment_topics_ch09 scattering)
 set(assignment_sources_ch09 scattering/interface)
 
