@@ -271,6 +271,9 @@ BOOST_AUTO_TEST_CASE(is_one_rounding_or_some_that_fall_no_more) {
   BOOST_TEST(!at_rounding({.w_0 = 1.0, .w_K = 65e-12, .rate = 1.0, .K = 3, .rounding = 1e-12}));
   BOOST_TEST(!at_rounding({.w_0 = 1e-12, .w_K = 2e-12, .rate = 1.0, .K = 3, .rounding = 1e-12}));
   BOOST_TEST(at_rounding({}));
+  BOOST_TEST(at_rounding({.w_0 = 1.0, .w_K = 60.0, .rate = 1.0, .K = 3, .rounding = 1.0, .rests = true}));
+  BOOST_TEST(!at_rounding({.w_0 = 1.0, .w_K = 65.0, .rate = 1.0, .K = 3, .rounding = 1.0, .rests = true}));
+  BOOST_TEST(!at_rounding({.w_0 = 1.0, .w_K = 60.0, .rate = 0.9, .K = 3, .rounding = 1.0, .rests = true}));
 }
 
 // A factor of 1/2 every hundred sweeps is one of 0.993 each, which repeats a rounding 145 times.

@@ -389,7 +389,7 @@ std::vector<schemes::TimeScale> Flow<Dim, E, V>::step_limits(const schemes::Stat
     const double sounds = sound * std::sqrt(sum);
     all.waves = std::max(all.waves, carried + sounds);
     all.viscous = std::max(all.viscous, viscous * viscosity(fluid_.viscosity, here.theta) / here.rho);
-    all.drifts = std::max(all.drifts, carried * (carried + 0.5 * sounds) * grid_.lengths.minCoeff() / sound);
+    all.drifts = std::max(all.drifts, 3.0 * carried * (carried + 0.5 * sounds) * grid_.lengths.minCoeff() / sound);
   }
   using Kind = schemes::TimeScale::Kind;
   std::vector<schemes::TimeScale> scales;

@@ -81,7 +81,7 @@ class Flow {
   ///     \frac1{t_\mu} = \max \frac{4\mu}{\rho} \Big(\sum_a \frac1{h_a^2}
   ///     + \Big(1 + \frac\lambda\mu\Big) \max_a \frac1{h_a^2}\Big),\quad
   ///     \frac1{t_K} = \max \frac{4K}{\rho c} \sum_a \frac1{h_a^2},\quad
-  ///     \frac1{t_d} = \max \frac{\min_a L_a}s \left(U^2 + \tfrac12 U S\right) \f]
+  ///     \frac1{t_d} = \max \frac{3 \min_a L_a}s \left(U^2 + \tfrac12 U S\right) \f]
   ///
   /// @equation{D 8.4} with the speed of sound s, and U and S for the two terms of the first. RungeKutta4 spans 2 sqrt 2
   /// of the first and 2.785 of what diffuses, one sweep of Staggered 2 and 2, sweeps that converge 1 and 1:

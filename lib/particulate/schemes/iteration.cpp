@@ -160,6 +160,8 @@ void validate_tolerance(std::string_view whose, double TOL) {
 
 bool at_rounding(const Iteration& it) {
   if (it.w_K <= it.rounding) return true;
+  // What has all but come to rest may go round in a few roundings from its first sweep on.
+  if (it.rests && it.K > 0 && it.rate >= 1.0 && it.w_K <= some_roundings * it.rounding) return true;
   if (!(it.K > 0 && it.rate >= 1.0 && it.w_K < it.w_0)) return false;
   return it.w_K * (1.0 - mean_rate(it)) <= some_roundings * it.rounding;
 }
