@@ -158,7 +158,7 @@ const Case sound{
         const double wave = 0.01 * std::cos(two_pi * x[0]);
         return fluid::Local<1>{.rho = 1000.0 * (1.0 + wave), .v = fluid::Vector<1>(0.6 + 10.0 * wave)};
       });
-      measure(rows, "sound", flow, start, 0.13, {.rk4 = 10, .one_sweep = 80, .staggering = 320});
+      measure(rows, "sound", flow, start, 0.13, {.rk4 = 10, .one_sweep = 84, .staggering = 320});
     }};
 
 // A gas in which sound has the speed 10 m/s, gamma = 1.4.
