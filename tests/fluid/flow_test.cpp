@@ -1,6 +1,7 @@
 #include <particulate/fluid/flow.hpp>
 
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -254,6 +255,14 @@ BOOST_AUTO_TEST_CASE(asks_what_is_given_at_its_time_and_a_cell_beyond_the_face) 
   BOOST_TEST_REQUIRE(asked.size() == 2);
   BOOST_TEST((asked[0] == std::pair{3.5, -0.5}));
   BOOST_TEST((asked[1] == std::pair{3.5, 4.5}));
+}
+
+BOOST_AUTO_TEST_CASE(lets_what_a_given_fluid_throws_through) {
+  const Given<2> throws{[](double, const Vector<2>&) -> Local<2> { throw std::domain_error("no fluid here"); }};
+  const GasFlow<2> flow({.cells = {8, 8}}, gas, {Periodic{}, Periodic{}, throws, Wall<2>{}}, 2);
+  const State state = flow.start([](const Vector<2>&) { return Local<2>{}; });
+  Eigen::VectorXd dy(state.y.size());
+  BOOST_CHECK_THROW(flow.rate(0.0, state.y, dy), std::domain_error);
 }
 
 BOOST_AUTO_TEST_CASE(has_no_value_where_what_is_given_has_none_and_forgets_it) {

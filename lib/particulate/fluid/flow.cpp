@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -13,7 +12,6 @@ namespace particulate::fluid {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr const char* axes = "xyz";
 
 // Numbers that are kept of a cell.
@@ -203,7 +201,7 @@ bool Flow<Dim, E, V>::measure(double t, schemes::In y) const {
   return true;
 }
 
-// The ghosts beyond a face: rows along x, over which the threads are shared unless a function of the caller is asked.
+// The ghosts beyond a face, row by row along x. A function of the caller is asked by one thread alone.
 template <int Dim, class E, class V>
 void Flow<Dim, E, V>::fill_face(double t, int face) const {
   const auto axis = static_cast<std::size_t>(face / 2);
@@ -212,10 +210,14 @@ void Flow<Dim, E, V>::fill_face(double t, int face) const {
   low[axis] = face % 2 == 1 ? cells_[axis] : -1;
   end[axis] = low[axis] + 1;
   const Eigen::Index count = end[0] - low[0], across = end[1] - low[1], rows = across * (end[2] - low[2]);
-  const bool alone = std::holds_alternative<Given<Dim>>(boundaries_[static_cast<std::size_t>(face)]);
-#pragma omp parallel for schedule(static) num_threads(threads_) if (threads_ > 1 && rows > 64 && !alone)
-  for (Eigen::Index row = 0; row < rows; ++row) {
+  const auto fill = [&](Eigen::Index row) {
     fill_row(t, face, {low[0], low[1] + row % across, low[2] + row / across}, count);
+  };
+  if (std::holds_alternative<Given<Dim>>(boundaries_[static_cast<std::size_t>(face)])) {
+    for (Eigen::Index row = 0; row < rows; ++row) fill(row);  // it may throw
+  } else {
+#pragma omp parallel for schedule(static) num_threads(threads_) if (threads_ > 1 && rows > 64)
+    for (Eigen::Index row = 0; row < rows; ++row) fill(row);
   }
 }
 
