@@ -270,6 +270,7 @@ BOOST_AUTO_TEST_CASE(has_no_value_where_what_is_given_has_none_and_forgets_it) {
     const Given<3> late{[](double t, const Vector<3>& x) {
       Local<3> here = anything<3>(x);
       if (t > 1.0) here.v[1] = not_a_number;
+      if (t > 2.0) here.v[1] = 0.0, here.rho = -1.0;
       return here;
     }};
     return GasFlow<3>(brick, gas, {Periodic{}, Periodic{}, late, Outflow{.P = 1.0}, Wall<3>{}, late}, threads);
@@ -279,6 +280,7 @@ BOOST_AUTO_TEST_CASE(has_no_value_where_what_is_given_has_none_and_forgets_it) {
     const State state = flow.start(anything<3>);
     VectorXd dy(state.y.size());
     BOOST_TEST(!flow.rate(2.0, state.y, dy));
+    BOOST_TEST(!flow.rate(3.0, state.y, dy));
     BOOST_TEST((rate_of(flow, state).array() == rate_of(fresh, state).array()).all());
   }
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -12,6 +13,7 @@ namespace particulate::fluid {
 
 namespace {
 
+constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr const char* axes = "xyz";
 
 // Numbers that are kept of a cell.
@@ -24,11 +26,6 @@ const detail::Kernels& kernels(laws::Kernel kernel) {
 }
 
 std::string face_name(int face) { return fmt::format("{} {}", axes[face / 2], face % 2 == 0 ? "low" : "high"); }
-
-// Rates of what happens between a cell and its neighbours [1/s]; the largest of all cells.
-struct Rates {
-  double waves = 0.0, viscous = 0.0, conducts = 0.0, drifts = 0.0;
-};
 
 template <int Dim>
 bool is_value(const Local<Dim>& here) {
@@ -269,7 +266,7 @@ void Flow<Dim, E, V>::fill_row(double t, int face, std::array<Eigen::Index, 3> c
       std::array<Eigen::Index, Dim> place{};
       std::copy_n(cell.begin(), Dim, place.begin());
       const Local<Dim> there = std::get<Given<Dim>>(boundary).fluid(t, grid_.centre(place));
-      column(0)[i] = there.rho;
+      column(0)[i] = is_value(there) ? there.rho : std::numeric_limits<double>::quiet_NaN();
       for (int c = 0; c < Dim; ++c) column(1 + c)[i] = there.v[c];
       column(1 + Dim)[i] = pressure_of(there.rho, there.theta);
       if constexpr (has_heat) column(2 + Dim)[i] = there.theta;
@@ -327,8 +324,9 @@ template <int Dim, class E, class V>
 Local<Dim> Flow<Dim, E, V>::local(const schemes::State& at, Eigen::Index cell) const {
   const Eigen::Index N = grid_.size();
   Local<Dim> here{.rho = at.y[cell]};
-  for (int a = 0; a < Dim; ++a) here.v[a] = at.y[cell + (1 + a) * N] / here.rho;
-  if constexpr (has_heat) here.theta = (at.y[cell + (1 + Dim) * N] / here.rho - 0.5 * here.v.squaredNorm()) / fluid_.c;
+  const double over = 1.0 / here.rho;
+  for (int a = 0; a < Dim; ++a) here.v[a] = at.y[cell + (1 + a) * N] * over;
+  if constexpr (has_heat) here.theta = (at.y[cell + (1 + Dim) * N] * over - 0.5 * here.v.squaredNorm()) / fluid_.c;
   return here;
 }
 
@@ -373,35 +371,63 @@ std::vector<schemes::Range> Flow<Dim, E, V>::ranges() const {
   return all;
 }
 
+// The largest of a row of cells; those without a value are left out.
+template <int Dim, class E, class V>
+void Flow<Dim, E, V>::look_at_row(const double* rho, Rates& all) const {
+  const double *const u = rho + padded_, *const v = u + (Dim > 1 ? padded_ : 0), *const w = v + (Dim > 2 ? padded_ : 0);
+  [[maybe_unused]] const double* const theta = rho + (2 + Dim) * padded_;
+  const E law = fluid_.state;
+  const auto viscous = fluid_.viscosity;
+  const double over_x = 1.0 / grid_.h(0), over_y = Dim > 1 ? 1.0 / grid_.h(1) : 0.0,
+               over_z = Dim > 2 ? 1.0 / grid_.h(Dim - 1) : 0.0, c = fluid_.c;
+  const double waves = std::sqrt(over_x * over_x + over_y * over_y + over_z * over_z);
+  Rates row;
+  for (Eigen::Index i = 0; i < cells_[0]; ++i) {
+    double sound = 0.0, warm = 1.0;
+    if constexpr (has_heat) {
+      warm = theta[i];
+      sound = speed_of_sound(law, rho[i], warm, c);
+    } else {
+      sound = speed_of_sound(law, rho[i]);
+    }
+    // Cells that the fluid, and sound, cross a second.
+    const double carried = std::abs(u[i]) * over_x + std::abs(v[i]) * over_y + std::abs(w[i]) * over_z;
+    const double sounds = sound * waves, over = 1.0 / rho[i];
+    if (!(rho[i] > 0.0 && warm > 0.0 && carried + sounds + over < infinity)) continue;
+    row.waves = std::max(row.waves, carried + sounds);
+    row.light = std::max(row.light, over);
+    row.viscous = std::max(row.viscous, viscosity(viscous, warm) * over);
+    row.drifts = std::max(row.drifts, carried * (carried + 0.5 * sounds) / sound);
+  }
+  all = {.waves = std::max(all.waves, row.waves),
+         .light = std::max(all.light, row.light),
+         .viscous = std::max(all.viscous, row.viscous),
+         .drifts = std::max(all.drifts, row.drifts)};
+}
+
 template <int Dim, class E, class V>
 std::vector<schemes::TimeScale> Flow<Dim, E, V>::step_limits(const schemes::State& at) const {
+  const detail::Cells q = measured();
+  const detail::MeasureRow measure_row = kernels(kernel_).measure[Dim - 1][has_heat ? 1 : 0];
+  Rates all;
+  for (Eigen::Index row = 0; row < cells_[1] * cells_[2]; ++row) {
+    const Eigen::Index j = row % cells_[1] + ghosts_[1], k = row / cells_[1] + ghosts_[2];
+    measure_row(q, row, at.y.data());
+    look_at_row(measured_.data() + ghosts_[0] + j * stride_[1] + k * stride_[2], all);
+  }
   double sum = 0.0, largest = 0.0;  // of 1/h^2
   for (int a = 0; a < Dim; ++a) sum += std::pow(grid_.h(a), -2), largest = std::max(largest, std::pow(grid_.h(a), -2));
   // In three dimensions a wave along the diagonal may outrun those along an edge, by an eighth.
   const double stress = 1.0 + fluid_.lambda_over_mu, diagonal = Dim == 3 && stress > 3.0 ? 1.125 : 1.0;
-  const double viscous = 4.0 * (sum + diagonal * stress * largest), conducts = 4.0 * fluid_.K / fluid_.c * sum;
-  Rates all;
-  for (Eigen::Index n = 0; n < grid_.size(); ++n) {
-    const Local<Dim> here = local(at, n);
-    if (!is_value(here)) continue;
-    double carried = 0.0;  // how many cells are crossed a second
-    const double sound = speed_of_sound_at(here);
-    if (has_heat) all.conducts = std::max(all.conducts, conducts / here.rho);
-    for (int a = 0; a < Dim; ++a) carried += std::abs(here.v[a]) / grid_.h(a);
-    const double sounds = sound * std::sqrt(sum);
-    all.waves = std::max(all.waves, carried + sounds);
-    all.viscous = std::max(all.viscous, viscous * viscosity(fluid_.viscosity, here.theta) / here.rho);
-    all.drifts = std::max(all.drifts, 3.0 * carried * (carried + 0.5 * sounds) * grid_.lengths.minCoeff() / sound);
-  }
   using Kind = schemes::TimeScale::Kind;
   std::vector<schemes::TimeScale> scales;
   const auto add = [&](const char* name, Kind kind, double rate) {
     if (rate > 0.0) scales.push_back({.name = name, .kind = kind, .seconds = 1.0 / rate});
   };
   add("sound, carried along", Kind::waves, all.waves);
-  add("viscosity", Kind::decays, all.viscous);
-  add("conduction", Kind::decays, all.conducts);
-  add("advection, where one sweep drives it", Kind::drifts, all.drifts);
+  add("viscosity", Kind::decays, 4.0 * (sum + diagonal * stress * largest) * all.viscous);
+  add("conduction", Kind::decays, has_heat ? 4.0 * fluid_.K / fluid_.c * sum * all.light : 0.0);
+  add("advection, where one sweep drives it", Kind::drifts, 3.0 * grid_.lengths.minCoeff() * all.drifts);
   return scales;
 }
 
