@@ -111,8 +111,9 @@ BOOST_AUTO_TEST_CASE(writes_files_for_other_programs_and_takes_them_down_again) 
   BOOST_TEST((sorted(folder) == Names{"cloud.xyz", "stamp.json"}));
   const Output next(folder.path());
   BOOST_TEST((sorted(folder) == Names{"unfinished.txt"}));
-  BOOST_CHECK_EXCEPTION(next.write_file("../cloud.xyz", ""), std::invalid_argument,
-                        says("a file's name must be lower-case letters, digits and underscores, with .xyz, .vtp or .vti"));
+  BOOST_CHECK_EXCEPTION(
+      next.write_file("../cloud.xyz", ""), std::invalid_argument,
+      says("a file's name must be lower-case letters, digits and underscores, with .xyz, .vtp or .vti"));
 }
 
 BOOST_AUTO_TEST_CASE(refuses_a_name_that_leads_elsewhere) {

@@ -57,9 +57,15 @@ struct Barotropic {
 /// @param law  the constants
 /// @throws std::invalid_argument naming the constant, what must hold and what was given
 void validate(const LinearizedState& law);
-/// @copydoc validate(const LinearizedState&)
+/// Refuses constants that are no ideal gas.
+///
+/// @param law  the constants
+/// @throws std::invalid_argument naming the constant, what must hold and what was given
 void validate(const IdealGas& law);
-/// @copydoc validate(const LinearizedState&)
+/// Refuses constants that are no barotropic law.
+///
+/// @param law  the constants
+/// @throws std::invalid_argument naming the constant, what must hold and what was given
 void validate(const Barotropic& law);
 
 /// @copybrief LinearizedState

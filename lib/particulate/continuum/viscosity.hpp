@@ -30,7 +30,10 @@ struct ExponentialViscosity {
 /// @param law  the constants
 /// @throws std::invalid_argument naming the constant, what must hold and what was given
 void validate(const ConstantViscosity& law);
-/// @copydoc validate(const ConstantViscosity&)
+/// Refuses constants that are no viscosity.
+///
+/// @param law  the constants
+/// @throws std::invalid_argument naming the constant, what must hold and what was given
 void validate(const ExponentialViscosity& law);
 
 /// @copybrief ConstantViscosity
