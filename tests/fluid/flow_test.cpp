@@ -242,6 +242,15 @@ BOOST_AUTO_TEST_CASE(has_no_value_without_density_temperature_or_number) {
                       "cell 1 has -0.5 kg/m^3"));
 }
 
+BOOST_AUTO_TEST_CASE(says_where_kinetic_energy_leaves_hardly_any_temperature) {
+  const GasFlow<1> flow(line, gas, {});
+  const State cold = flow.start([](const Vector<1>& x) {
+    return Local<1>{.rho = 1.0, .v = Vector<1>(1e3), .theta = x[0] > 2.0 && x[0] < 3.0 ? 1e-5 : 300.0};
+  });
+  BOOST_TEST(contains(flow.why_no_value(cold), "cell 2 has hardly any temperature left, 1 kg/m^3, "));
+  BOOST_TEST(flow.why_no_value(flow.start(anything<1>)) == "");
+}
+
 BOOST_AUTO_TEST_CASE(asks_what_is_given_at_its_time_and_a_cell_beyond_the_face) {
   std::vector<std::pair<double, double>> asked;
   const Given<1> tells{[&](double t, const Vector<1>& x) {

@@ -148,6 +148,8 @@ class Flow {
   double pressure_of(double rho, double theta) const;
   double speed_of_sound_at(const Local<Dim>& here) const;
   detail::Cells measured() const;
+  double* row_of(Eigen::Index row) const;
+  const double* measured_row(Eigen::Index row, const double* y) const;
   bool measure(double t, schemes::In y) const;
   bool apply_laws(double* rho) const;
   void look_at_row(const double* rho, Rates& all) const;
