@@ -38,13 +38,15 @@ concept HasTemperature = requires(const EquationOfState& law, double x) {
 /// A fluid in a box: density, momentum and, unless it is barotropic, energy of each cell.
 ///
 /// \f[ \frac{d}{dt} \begin{pmatrix} \rho \\ \rho v \\ E \end{pmatrix}_{cell}
-///     = -\sum_a \frac{f^a_{+1/2} - f^a_{-1/2}}{h_a}, \qquad E = \rho \left(c\,\theta + \tfrac12 v^2\right) \f]
+///     = -\sum_a \frac{f^a_{+1/2} - f^a_{-1/2}}{h_a} \f]
+/// \f[ E = \rho \left(c\,\theta + \tfrac12 v^2\right) \f]
 ///
 /// Between the cells 0 and 1, with bars for means and the normal a,
 ///
-/// \f[ m = \bar\rho\, \bar u_a, \qquad f_i = m\, \bar u_i + \bar P\, \delta_{ia} - \tau_{ia}, \qquad
-///     f_E = m \left(c \tfrac{\theta_0 + \theta_1}2 + \tfrac12 u_0 \cdot u_1\right)
-///     + \tfrac12 (u_{a0} P_1 + u_{a1} P_0) - \tau_{ia} \bar u_i - K \frac{\theta_1 - \theta_0}{h_a} \f]
+/// \f[ m = \bar\rho\, \bar u_a \f]
+/// \f[ f_i = m\, \bar u_i + \bar P\, \delta_{ia} - \tau_{ia} \f]
+/// \f[ f_E = m \left(c\, \bar\theta + \tfrac12 u_0 \cdot u_1\right) - \tau_{ia} \bar u_i + w + q \f]
+/// \f[ w = \tfrac12 (u_{a0} P_1 + u_{a1} P_0), \qquad q = -K\, \frac{\theta_1 - \theta_0}{h_a} \f]
 ///
 /// @equation{D 8.2} Beyond the monograph: its central differences, split so that they conserve mass, momentum and
 /// energy, and make no kinetic energy by convection (Kennedy and Gruber). Stresses and conduction stand at the same
@@ -77,13 +79,14 @@ class Flow {
   bool rate(double t, schemes::In y, schemes::Out dy) const;
   /// The times that limit a step, over all cells: of sound carried along, viscosity, conduction, and of advection.
   ///
-  /// \f[ \frac1{t_w} = \max \sum_a \frac{|u_a|}{h_a} + s\,\Big(\sum_a \frac1{h_a^2}\Big)^{1/2},\quad
-  ///     \frac1{t_\mu} = \max \frac{4\mu}{\rho} \Big(\sum_a \frac1{h_a^2}
-  ///     + \Big(1 + \frac\lambda\mu\Big) \max_a \frac1{h_a^2}\Big),\quad
-  ///     \frac1{t_K} = \max \frac{4K}{\rho c} \sum_a \frac1{h_a^2},\quad
-  ///     \frac1{t_d} = \max \frac{3 \min_a L_a}s \left(U^2 + \tfrac12 U S\right) \f]
+  /// \f[ \frac1{t_w} = \max \Big( U + s\,\Big(\sum_a \frac1{h_a^2}\Big)^{1/2} \Big),\qquad
+  ///     U = \sum_a \frac{|u_a|}{h_a} \f]
+  /// \f[ \frac1{t_\mu} = \max \frac{4\mu}{\rho} \Big(\sum_a \frac1{h_a^2}
+  ///     + \Big(1 + \frac\lambda\mu\Big) \max_a \frac1{h_a^2}\Big) \f]
+  /// \f[ \frac1{t_K} = \max \frac{4K}{\rho c} \sum_a \frac1{h_a^2} \f]
+  /// \f[ \frac1{t_d} = \max \frac{3 \min_a L_a}s \left(U^2 + \tfrac12 U S\right) \f]
   ///
-  /// @equation{D 8.4} with the speed of sound s, and U and S for the two terms of the first. RungeKutta4 spans 2 sqrt 2
+  /// @equation{D 8.4} with the speed of sound s, and S for the second term of the first. RungeKutta4 spans 2 sqrt 2
   /// of the first and 2.785 of what diffuses, one sweep of Staggered 2 and 2, sweeps that converge 1 and 1:
   /// schemes::AddsLimits. One sweep takes a step of forward Euler along the flow, which no step makes stable without
   /// diffusion: with t_d sound grows at most e-fold while it crosses the box. On a supersonic stream sweeps contract
