@@ -76,7 +76,7 @@ set xrange [0:1]
 set yrange [0:1]
 set xtics 0.5
 set xlabel 'u/U'
-set multiplot layout 1,2 margins 0.11,0.98,0.17,0.86 spacing 0.09
+set multiplot layout 1,2 margins 0.11,0.98,0.21,0.86 spacing 0.09
 set ylabel 'y/h' offset 1
 unset key
 set label 1 't ν/h² = 0.005, 0.02, 0.05, 0.1, 0.2, 2' at graph 0.5, 1.06 center

@@ -11,6 +11,12 @@
 
 namespace particulate::fluid {
 
+// What limits a step, the largest of all cells: how many cells sound crosses a second, volume and viscosity per mass,
+// and what a step of forward Euler adds.
+struct detail::Rates {
+  double waves = 0.0, light = 0.0, viscous = 0.0, drifts = 0.0;
+};
+
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -395,7 +401,7 @@ std::vector<schemes::Range> Flow<Dim, E, V>::ranges() const {
 
 // The largest of a row of cells; those without a value are left out.
 template <int Dim, class E, class V>
-void Flow<Dim, E, V>::look_at_row(const double* rho, Rates& all) const {
+void Flow<Dim, E, V>::look_at_row(const double* rho, detail::Rates& all) const {
   const double *const u = rho + padded_, *const v = u + (Dim > 1 ? padded_ : 0), *const w = v + (Dim > 2 ? padded_ : 0);
   [[maybe_unused]] const double* const theta = rho + (2 + Dim) * padded_;
   const E law = fluid_.state;
@@ -403,7 +409,7 @@ void Flow<Dim, E, V>::look_at_row(const double* rho, Rates& all) const {
   const double over_x = 1.0 / grid_.h(0), over_y = Dim > 1 ? 1.0 / grid_.h(1) : 0.0,
                over_z = Dim > 2 ? 1.0 / grid_.h(Dim - 1) : 0.0, c = fluid_.c;
   const double waves = std::sqrt(over_x * over_x + over_y * over_y + over_z * over_z);
-  Rates row;
+  detail::Rates row;
   for (Eigen::Index i = 0; i < cells_[0]; ++i) {
     double sound = 0.0, warm = 1.0;
     if constexpr (has_heat) {
@@ -429,7 +435,7 @@ void Flow<Dim, E, V>::look_at_row(const double* rho, Rates& all) const {
 
 template <int Dim, class E, class V>
 std::vector<schemes::TimeScale> Flow<Dim, E, V>::step_limits(const schemes::State& at) const {
-  Rates all;
+  detail::Rates all;
   for (Eigen::Index row = 0; row < cells_[1] * cells_[2]; ++row) look_at_row(measured_row(row, at.y.data()), all);
   double sum = 0.0, largest = 0.0;  // of 1/h^2
   for (int a = 0; a < Dim; ++a) sum += std::pow(grid_.h(a), -2), largest = std::max(largest, std::pow(grid_.h(a), -2));

@@ -17,7 +17,8 @@ namespace particulate::fluid {
 
 namespace detail {
 struct Cells;
-}
+struct Rates;
+}  // namespace detail
 
 /// What a fluid is made of.
 template <class EquationOfState, class Viscosity = continuum::ConstantViscosity>
@@ -143,11 +144,6 @@ class Flow {
   const Fluid<EquationOfState, Viscosity>& fluid() const { return fluid_; }
 
  private:
-  // The largest of all cells.
-  struct Rates {
-    double waves = 0.0, light = 0.0, viscous = 0.0, drifts = 0.0;
-  };
-
   double pressure_of(double rho, double theta) const;
   double speed_of_sound_at(const Local<Dim>& here) const;
   detail::Cells measured() const;
@@ -155,7 +151,7 @@ class Flow {
   const double* measured_row(Eigen::Index row, const double* y) const;
   bool measure(double t, schemes::In y) const;
   bool apply_laws(double* rho) const;
-  void look_at_row(const double* rho, Rates& all) const;
+  void look_at_row(const double* rho, detail::Rates& all) const;
   void fill_face(double t, int face) const;
   void fill_row(double t, int face, std::array<Eigen::Index, 3> cell, Eigen::Index count) const;
   bool add_fluxes(unsigned wanted, double* dy) const;
