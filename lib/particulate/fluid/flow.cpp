@@ -33,6 +33,24 @@ const detail::Kernels& kernels(laws::Kernel kernel) {
 
 std::string face_name(int face) { return fmt::format("{} {}", axes[face / 2], face % 2 == 0 ? "low" : "high"); }
 
+// The laws at a temperature, of which a barotropic one does not ask.
+template <class E>
+double pressure_at(const E& law, double rho, [[maybe_unused]] double theta) {
+  if constexpr (HasTemperature<E>) {
+    return pressure(law, rho, theta);
+  } else {
+    return pressure(law, rho);
+  }
+}
+template <class E>
+double sound_at(const E& law, double rho, [[maybe_unused]] double theta, [[maybe_unused]] double c) {
+  if constexpr (HasTemperature<E>) {
+    return speed_of_sound(law, rho, theta, c);
+  } else {
+    return speed_of_sound(law, rho);
+  }
+}
+
 template <int Dim>
 bool is_value(const Local<Dim>& here) {
   return here.rho > 0.0 && here.theta > 0.0 && std::isfinite(here.rho * here.theta) && here.v.allFinite();
@@ -144,24 +162,6 @@ detail::Cells Flow<Dim, E, V>::measured() const {
   return q;
 }
 
-template <int Dim, class E, class V>
-double Flow<Dim, E, V>::pressure_of(double rho, double theta) const {
-  if constexpr (has_heat) {
-    return pressure(fluid_.state, rho, theta);
-  } else {
-    return pressure(fluid_.state, rho);
-  }
-}
-
-template <int Dim, class E, class V>
-double Flow<Dim, E, V>::speed_of_sound_at(const Local<Dim>& here) const {
-  if constexpr (has_heat) {
-    return speed_of_sound(fluid_.state, here.rho, here.theta, fluid_.c);
-  } else {
-    return speed_of_sound(fluid_.state, here.rho);
-  }
-}
-
 // What the laws make of a row's densities and temperatures: whether all of it is finite.
 template <int Dim, class E, class V>
 bool Flow<Dim, E, V>::apply_laws(double* rho) const {
@@ -172,11 +172,7 @@ bool Flow<Dim, E, V>::apply_laws(double* rho) const {
   double not_finite = 0.0;
 #pragma omp simd reduction(+ : not_finite)
   for (Eigen::Index i = 0; i < n; ++i) {
-    if constexpr (has_heat) {
-      P[i] = pressure(law, rho[i], theta[i]);
-    } else {
-      P[i] = pressure(law, rho[i]);
-    }
+    P[i] = pressure_at(law, rho[i], has_heat ? theta[i] : 1.0);
     not_finite += 0.0 * P[i];
   }
   if constexpr (varies) {
@@ -286,7 +282,7 @@ void Flow<Dim, E, V>::fill_row(double t, int face, std::array<Eigen::Index, 3> c
       const Local<Dim> there = std::get<Given<Dim>>(boundary).fluid(t, grid_.centre(place));
       column(0)[i] = is_value(there) ? there.rho : std::numeric_limits<double>::quiet_NaN();
       for (int c = 0; c < Dim; ++c) column(1 + c)[i] = there.v[c];
-      column(1 + Dim)[i] = pressure_of(there.rho, there.theta);
+      column(1 + Dim)[i] = pressure_at(fluid_.state, there.rho, there.theta);
       if constexpr (has_heat) column(2 + Dim)[i] = there.theta;
       if constexpr (varies) column(3 + Dim)[i] = viscosity(fluid_.viscosity, there.theta);
     }
@@ -318,7 +314,10 @@ double Flow<Dim, E, V>::field_size(std::size_t k, const schemes::State& at) cons
   const schemes::Part own = part(k);
   if (k != 1) return at.y.segment(own.first, own.size).template lpNorm<1>();
   double size = 0.0;
-  for (Eigen::Index n = 0; n < grid_.size(); ++n) size += at.y[n] * speed_of_sound_at(local(at, n));
+  for (Eigen::Index n = 0; n < grid_.size(); ++n) {
+    const Local<Dim> here = local(at, n);
+    size += here.rho * sound_at(fluid_.state, here.rho, here.theta, fluid_.c);
+  }
   return size;
 }
 
@@ -411,13 +410,7 @@ void Flow<Dim, E, V>::look_at_row(const double* rho, detail::Rates& all) const {
   const double waves = std::sqrt(over_x * over_x + over_y * over_y + over_z * over_z);
   detail::Rates row;
   for (Eigen::Index i = 0; i < cells_[0]; ++i) {
-    double sound = 0.0, warm = 1.0;
-    if constexpr (has_heat) {
-      warm = theta[i];
-      sound = speed_of_sound(law, rho[i], warm, c);
-    } else {
-      sound = speed_of_sound(law, rho[i]);
-    }
+    const double warm = has_heat ? theta[i] : 1.0, sound = sound_at(law, rho[i], warm, c);
     // Cells that the fluid, and sound, cross a second.
     const double carried = std::abs(u[i]) * over_x + std::abs(v[i]) * over_y + std::abs(w[i]) * over_z;
     const double sounds = sound * waves, over = 1.0 / rho[i];

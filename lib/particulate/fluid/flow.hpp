@@ -144,8 +144,6 @@ class Flow {
   const Fluid<EquationOfState, Viscosity>& fluid() const { return fluid_; }
 
  private:
-  double pressure_of(double rho, double theta) const;
-  double speed_of_sound_at(const Local<Dim>& here) const;
   detail::Cells measured() const;
   double* row_of(Eigen::Index row) const;
   const double* measured_row(Eigen::Index row, const double* y) const;
