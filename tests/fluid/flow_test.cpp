@@ -242,6 +242,18 @@ BOOST_AUTO_TEST_CASE(has_no_value_without_density_temperature_or_number) {
                       "cell 1 has -0.5 kg/m^3"));
 }
 
+BOOST_AUTO_TEST_CASE(refuses_a_state_of_another_flow) {
+  const GasFlow<1> flow(line, gas, {});
+  const State other{.y = VectorXd::Ones(5)};
+  VectorXd dy(5);
+  const auto refused = [](const std::invalid_argument& error) {
+    return contains(error.what(), "a state of 4 cells must hold 12 numbers, 3 a cell, got 5");
+  };
+  BOOST_CHECK_EXCEPTION(flow.rate(0.0, other.y, dy), std::invalid_argument, refused);
+  BOOST_CHECK_EXCEPTION(flow.step_limits(other), std::invalid_argument, refused);
+  BOOST_CHECK_EXCEPTION(flow.why_no_value(other), std::invalid_argument, refused);
+}
+
 BOOST_AUTO_TEST_CASE(says_where_kinetic_energy_leaves_hardly_any_temperature) {
   const GasFlow<1> flow(line, gas, {});
   const State cold = flow.start([](const Vector<1>& x) {

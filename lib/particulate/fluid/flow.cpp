@@ -162,6 +162,14 @@ detail::Cells Flow<Dim, E, V>::measured() const {
   return q;
 }
 
+template <int Dim, class E, class V>
+void Flow<Dim, E, V>::require_size(Eigen::Index size) const {
+  const Eigen::Index N = grid_.size();
+  if (size == N * numbers) return;
+  throw std::invalid_argument(
+      fmt::format("flow: a state of {} cells must hold {} numbers, {} a cell, got {}", N, N * numbers, numbers, size));
+}
+
 // What the laws make of a row's densities and temperatures: whether all of it is finite.
 template <int Dim, class E, class V>
 bool Flow<Dim, E, V>::apply_laws(double* rho) const {
@@ -198,6 +206,7 @@ const double* Flow<Dim, E, V>::measured_row(Eigen::Index row, const double* y) c
 
 template <int Dim, class E, class V>
 bool Flow<Dim, E, V>::measure(double t, schemes::In y) const {
+  require_size(y.size());
   const detail::Cells q = measured();
   const detail::MeasureRow measure_row = kernels(kernel_).measure[Dim - 1][has_heat ? 1 : 0];
   double bad = 0.0;
@@ -374,6 +383,7 @@ schemes::State Flow<Dim, E, V>::start(const std::function<Local<Dim>(const Vecto
 // of some roundings, the next stage of a step has none.
 template <int Dim, class E, class V>
 std::string Flow<Dim, E, V>::why_no_value(const schemes::State& at) const {
+  require_size(at.y.size());
   std::string about_to;
   for (Eigen::Index n = 0; n < grid_.size(); ++n) {
     const Eigen::Index row = n / cells_[0], i = n % cells_[0];
@@ -428,6 +438,7 @@ void Flow<Dim, E, V>::look_at_row(const double* rho, detail::Rates& all) const {
 
 template <int Dim, class E, class V>
 std::vector<schemes::TimeScale> Flow<Dim, E, V>::step_limits(const schemes::State& at) const {
+  require_size(at.y.size());
   detail::Rates all;
   for (Eigen::Index row = 0; row < cells_[1] * cells_[2]; ++row) look_at_row(measured_row(row, at.y.data()), all);
   double sum = 0.0, largest = 0.0;  // of 1/h^2

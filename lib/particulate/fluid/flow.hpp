@@ -77,6 +77,7 @@ class Flow {
   /// @param y   state
   /// @param dy  receives its rate
   /// @return whether there is one: densities and temperatures are positive, all is finite
+  /// @throws std::invalid_argument if y is not of this flow
   bool rate(double t, schemes::In y, schemes::Out dy) const;
   /// The times that limit a step, over all cells: of sound carried along, viscosity, conduction, and of advection.
   ///
@@ -148,6 +149,7 @@ class Flow {
   double* row_of(Eigen::Index row) const;
   const double* measured_row(Eigen::Index row, const double* y) const;
   bool measure(double t, schemes::In y) const;
+  void require_size(Eigen::Index size) const;
   bool apply_laws(double* rho) const;
   void look_at_row(const double* rho, detail::Rates& all) const;
   void fill_face(double t, int face) const;
