@@ -141,12 +141,12 @@ Flow<Dim, E, V>::Flow(Grid<Dim> grid, Fluid<E, V> fluid, Boundaries<Dim> boundar
     padded_ *= cells_[a] + 2 * ghosts_[a];
   }
   measured_.resize(static_cast<std::size_t>(padded_ * kept<Flow>));
-  buffer_size_ = detail::buffer_size(measured(), numbers);
+  buffer_size_ = detail::buffer_size(cells(), numbers);
   buffers_.resize(static_cast<std::size_t>(threads_ * buffer_size_));
 }
 
 template <int Dim, class E, class V>
-detail::Cells Flow<Dim, E, V>::measured() const {
+detail::Cells Flow<Dim, E, V>::cells() const {
   detail::Cells q;
   q.rho = measured_.data(), q.apart = padded_;
   for (int a = 0; a < 3; ++a) {
@@ -160,6 +160,28 @@ detail::Cells Flow<Dim, E, V>::measured() const {
   if constexpr (!varies) q.mu = viscosity(fluid_.viscosity);
   q.second = fluid_.lambda_over_mu, q.c = fluid_.c, q.K = fluid_.K;
   return q;
+}
+
+template <int Dim, class E, class V>
+void Flow<Dim, E, V>::gather(const Hats<Dim>& hats, std::vector<Stream>& streams) const {
+  Columns columns{.first = row_of(0), .stride = stride_};
+  for (int c = 0; c < kept<Flow>; ++c) {
+    if (c != 1 + Dim) columns.offset.push_back(c * padded_);  // nobody asks for the pressure
+  }
+  const std::size_t count = columns.offset.size();
+  gathered_.resize(streams.size() * count);
+  hats.gather(columns, gathered_.data());
+  for (std::size_t i = 0; i < streams.size(); ++i) {
+    const double* const here = gathered_.data() + i * count;
+    streams[i].rho = here[0];
+    for (int a = 0; a < Dim; ++a) streams[i].v[a] = here[1 + a];
+    if constexpr (has_heat) streams[i].theta = here[1 + Dim];
+    if constexpr (varies) {
+      streams[i].mu = here[2 + Dim];
+    } else {
+      streams[i].mu = viscosity(fluid_.viscosity);
+    }
+  }
 }
 
 template <int Dim, class E, class V>
@@ -200,14 +222,14 @@ double* Flow<Dim, E, V>::row_of(Eigen::Index row) const {
 // The same, with its densities, velocities and temperatures.
 template <int Dim, class E, class V>
 const double* Flow<Dim, E, V>::measured_row(Eigen::Index row, const double* y) const {
-  kernels(kernel_).measure[Dim - 1][has_heat ? 1 : 0](measured(), row, y);
+  kernels(kernel_).measure[Dim - 1][has_heat ? 1 : 0](cells(), row, y);
   return row_of(row);
 }
 
 template <int Dim, class E, class V>
 bool Flow<Dim, E, V>::measure(double t, schemes::In y) const {
   require_size(y.size());
-  const detail::Cells q = measured();
+  const detail::Cells q = cells();
   const detail::MeasureRow measure_row = kernels(kernel_).measure[Dim - 1][has_heat ? 1 : 0];
   double bad = 0.0;
 #pragma omp parallel for schedule(static) reduction(+ : bad) num_threads(threads_) if (threads_ > 1)
@@ -300,7 +322,7 @@ void Flow<Dim, E, V>::fill_row(double t, int face, std::array<Eigen::Index, 3> c
 
 template <int Dim, class E, class V>
 bool Flow<Dim, E, V>::add_fluxes(unsigned wanted, double* dy) const {
-  const detail::Cells q = measured();
+  const detail::Cells q = cells();
   const detail::AddFluxes add = kernels(kernel_).add[Dim - 1][(has_heat ? 1 : 0) + (varies ? 1 : 0)];
   const Eigen::Index blocks = detail::blocks(q);
   double bad = 0.0;
@@ -319,25 +341,25 @@ bool Flow<Dim, E, V>::rate(double t, schemes::In y, schemes::Out dy) const {
 }
 
 template <int Dim, class E, class V>
-double Flow<Dim, E, V>::field_size(std::size_t k, const schemes::State& at) const {
+double Flow<Dim, E, V>::field_size(std::size_t k, schemes::In y) const {
   const schemes::Part own = part(k);
-  if (k != 1) return at.y.segment(own.first, own.size).template lpNorm<1>();
+  if (k != 1) return y.segment(own.first, own.size).template lpNorm<1>();
   double size = 0.0;
   for (Eigen::Index n = 0; n < grid_.size(); ++n) {
-    const Local<Dim> here = local(at, n);
+    const Local<Dim> here = local(y, n);
     size += here.rho * sound_at(fluid_.state, here.rho, here.theta, fluid_.c);
   }
   return size;
 }
 
 template <int Dim, class E, class V>
-bool Flow<Dim, E, V>::solve(std::size_t k, const schemes::State& from, double dt, const schemes::State& seen,
-                            schemes::State& to) const {
+bool Flow<Dim, E, V>::solve(std::size_t k, double t, schemes::In from, double dt, schemes::In seen,
+                            schemes::Out to) const {
   // All of `seen` has been read before anything is written: it may be `to`.
-  if (!measure(from.t + dt, seen.y) || !add_fluxes(1U << k, to.y.data())) return false;
+  if (!measure(t + dt, seen) || !add_fluxes(1U << k, to.data())) return false;
   const schemes::Part own = part(k);
-  to.y.segment(own.first, own.size) = from.y.segment(own.first, own.size) + dt * to.y.segment(own.first, own.size);
-  return to.y.segment(own.first, own.size).allFinite();
+  to.segment(own.first, own.size) = from.segment(own.first, own.size) + dt * to.segment(own.first, own.size);
+  return to.segment(own.first, own.size).allFinite();
 }
 
 template <int Dim, class E, class V>
@@ -347,12 +369,12 @@ schemes::Part Flow<Dim, E, V>::part(std::size_t k) const {
 }
 
 template <int Dim, class E, class V>
-Local<Dim> Flow<Dim, E, V>::local(const schemes::State& at, Eigen::Index cell) const {
+Local<Dim> Flow<Dim, E, V>::local(schemes::In y, Eigen::Index cell) const {
   const Eigen::Index N = grid_.size();
-  Local<Dim> here{.rho = at.y[cell]};
+  Local<Dim> here{.rho = y[cell]};
   const double over = 1.0 / here.rho;
-  for (int a = 0; a < Dim; ++a) here.v[a] = at.y[cell + (1 + a) * N] * over;
-  if constexpr (has_heat) here.theta = (at.y[cell + (1 + Dim) * N] * over - 0.5 * here.v.squaredNorm()) / fluid_.c;
+  for (int a = 0; a < Dim; ++a) here.v[a] = y[cell + (1 + a) * N] * over;
+  if constexpr (has_heat) here.theta = (y[cell + (1 + Dim) * N] * over - 0.5 * here.v.squaredNorm()) / fluid_.c;
   return here;
 }
 
@@ -382,12 +404,12 @@ schemes::State Flow<Dim, E, V>::start(const std::function<Local<Dim>(const Vecto
 // As the kernel sees it: next to zero, local() may round to the other side. Where kinetic energy leaves a temperature
 // of some roundings, the next stage of a step has none.
 template <int Dim, class E, class V>
-std::string Flow<Dim, E, V>::why_no_value(const schemes::State& at) const {
-  require_size(at.y.size());
+std::string Flow<Dim, E, V>::why_no_value(schemes::In y) const {
+  require_size(y.size());
   std::string about_to;
   for (Eigen::Index n = 0; n < grid_.size(); ++n) {
     const Eigen::Index row = n / cells_[0], i = n % cells_[0];
-    const double* const rho = i == 0 ? measured_row(row, at.y.data()) : row_of(row);
+    const double* const rho = i == 0 ? measured_row(row, y.data()) : row_of(row);
     Local<Dim> here{.rho = rho[i]};
     for (int a = 0; a < Dim; ++a) here.v[a] = rho[i + (1 + a) * padded_];
     if constexpr (has_heat) here.theta = rho[i + (2 + Dim) * padded_];
@@ -437,10 +459,10 @@ void Flow<Dim, E, V>::look_at_row(const double* rho, detail::Rates& all) const {
 }
 
 template <int Dim, class E, class V>
-std::vector<schemes::TimeScale> Flow<Dim, E, V>::step_limits(const schemes::State& at) const {
-  require_size(at.y.size());
+std::vector<schemes::TimeScale> Flow<Dim, E, V>::step_limits(schemes::In y) const {
+  require_size(y.size());
   detail::Rates all;
-  for (Eigen::Index row = 0; row < cells_[1] * cells_[2]; ++row) look_at_row(measured_row(row, at.y.data()), all);
+  for (Eigen::Index row = 0; row < cells_[1] * cells_[2]; ++row) look_at_row(measured_row(row, y.data()), all);
   double sum = 0.0, largest = 0.0;  // of 1/h^2
   for (int a = 0; a < Dim; ++a) sum += std::pow(grid_.h(a), -2), largest = std::max(largest, std::pow(grid_.h(a), -2));
   // In three dimensions a wave along the diagonal may outrun those along an edge, by an eighth.

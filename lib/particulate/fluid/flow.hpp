@@ -7,6 +7,8 @@
 #include <particulate/continuum/equation_of_state.hpp>
 #include <particulate/continuum/viscosity.hpp>
 #include <particulate/fluid/boundary.hpp>
+#include <particulate/fluid/drag.hpp>
+#include <particulate/fluid/hats.hpp>
 #include <particulate/laws/near_field.hpp>
 #include <particulate/schemes/problem.hpp>
 
@@ -60,6 +62,7 @@ concept HasTemperature = requires(const EquationOfState& law, double x) {
 template <int Dim, class EquationOfState, class Viscosity = continuum::ConstantViscosity>
 class Flow {
  public:
+  static constexpr int directions = Dim;                                                  ///< 1, 2 or 3
   static constexpr bool has_heat = HasTemperature<EquationOfState>;                       ///< whether there is an E
   static constexpr bool varies = !std::same_as<Viscosity, continuum::ConstantViscosity>;  ///< whether mu does
   static constexpr int numbers = 1 + Dim + (has_heat ? 1 : 0);                            ///< of a cell in the state
@@ -79,6 +82,13 @@ class Flow {
   /// @return whether there is one: densities and temperatures are positive, all is finite
   /// @throws std::invalid_argument if y is not of this flow
   bool rate(double t, schemes::In y, schemes::Out dy) const;
+  /// Looks at a state, for gather(), without its rates.
+  ///
+  /// @param t  time, for boundaries that are given [s]
+  /// @param y  state
+  /// @return whether densities and temperatures are positive, and all is finite
+  /// @throws std::invalid_argument if y is not of this flow
+  bool measure(double t, schemes::In y) const;
   /// The times that limit a step, over all cells: of sound carried along, viscosity, conduction, and of advection.
   ///
   /// \f[ \frac1{t_w} = \max \Big( U + s\,\Big(\sum_a \frac1{h_a^2}\Big)^{1/2} \Big),\qquad
@@ -94,12 +104,18 @@ class Flow {
   /// diffusion: with t_d sound grows at most e-fold while it crosses the box. On a supersonic stream sweeps contract
   /// less than this says; a control that looks at them refuses those that diverge. Cells without a value are left out.
   ///
-  /// @param at  a state
+  /// @param y  a state
   /// @return those that there are
-  std::vector<schemes::TimeScale> step_limits(const schemes::State& at) const;
-  /// @param at  a state
+  /// @throws std::invalid_argument if y is not of this flow
+  std::vector<schemes::TimeScale> step_limits(schemes::In y) const;
+  /// @param at  a state @return the same
+  std::vector<schemes::TimeScale> step_limits(const schemes::State& at) const { return step_limits(schemes::In(at.y)); }
+  /// @param y  a state
   /// @return which cell has no value, and of what
-  std::string why_no_value(const schemes::State& at) const;
+  /// @throws std::invalid_argument if y is not of this flow
+  std::string why_no_value(schemes::In y) const;
+  /// @param at  a state @return the same
+  std::string why_no_value(const schemes::State& at) const { return why_no_value(schemes::In(at.y)); }
   /// @return density, momentum and energy
   std::vector<schemes::Range> ranges() const;
 
@@ -111,10 +127,12 @@ class Flow {
   /// What the size of a field is, for rounding: of momentum that of sound, \f$ \rho s \f$ in every cell, because a
   /// fluid that comes to rest still has the rounding of its pressure. @see schemes::HasFieldSizes
   ///
-  /// @param k   which field
-  /// @param at  a state
+  /// @param k  which field
+  /// @param y  a state
   /// @return sum over cells of the absolute values
-  double field_size(std::size_t k, const schemes::State& at) const;
+  double field_size(std::size_t k, schemes::In y) const;
+  /// @param k  which field @param at a state @return the same
+  double field_size(std::size_t k, const schemes::State& at) const { return field_size(k, schemes::In(at.y)); }
   /// One field, one step of Euler's, the others frozen. @see schemes::StaggeredProblem
   ///
   /// @equation{R 8.4} \f$ y_k(t + \Delta t) = y_k(t) + \Delta t\,\dot y_k(t + \Delta t, y) \f$, with y as the sweep has
@@ -126,7 +144,11 @@ class Flow {
   /// @param to    receives the field
   /// @return whether there is a rate
   bool solve(std::size_t k, const schemes::State& from, double dt, const schemes::State& seen,
-             schemes::State& to) const;
+             schemes::State& to) const {
+    return solve(k, from.t, from.y, dt, seen.y, to.y);
+  }
+  /// @copydetails solve(std::size_t, const schemes::State&, double, const schemes::State&, schemes::State&) const
+  bool solve(std::size_t k, double t, schemes::In from, double dt, schemes::In seen, schemes::Out to) const;
 
   /// A start.
   ///
@@ -134,21 +156,34 @@ class Flow {
   /// @return the state at t = 0 with that at the middle of each cell
   /// @throws std::invalid_argument naming the place where it cannot be
   schemes::State start(const std::function<Local<Dim>(const Vector<Dim>& x)>& fluid) const;
-  /// @param at    a state
+  /// @param y     a state
   /// @param cell  of the grid, by its number
   /// @return what is there
-  Local<Dim> local(const schemes::State& at, Eigen::Index cell) const;
+  Local<Dim> local(schemes::In y, Eigen::Index cell) const;
+  /// @param at  a state @param cell of the grid @return the same
+  Local<Dim> local(const schemes::State& at, Eigen::Index cell) const { return local(schemes::In(at.y), cell); }
 
   /// @return the grid
   const Grid<Dim>& grid() const { return grid_; }
   /// @return the laws
   const Fluid<EquationOfState, Viscosity>& fluid() const { return fluid_; }
+  /// @return what happens at its faces
+  const Boundaries<Dim>& boundaries() const { return boundaries_; }
+  /// @return how many threads share the cells
+  int threads() const { return threads_; }
+  /// @return how many numbers a state has
+  Eigen::Index size() const { return grid_.size() * numbers; }
+  /// The fluid at places, as it was measured last.
+  ///
+  /// @equation{D 8.1.2}
+  /// @param hats     their weights, of this grid
+  /// @param streams  receives the fluid at each, as many; what a direction or a fluid does not have stays
+  void gather(const Hats<Dim>& hats, std::vector<Stream>& streams) const;
 
  private:
-  detail::Cells measured() const;
+  detail::Cells cells() const;
   double* row_of(Eigen::Index row) const;
   const double* measured_row(Eigen::Index row, const double* y) const;
-  bool measure(double t, schemes::In y) const;
   void require_size(Eigen::Index size) const;
   bool apply_laws(double* rho) const;
   void look_at_row(const double* rho, detail::Rates& all) const;
@@ -163,7 +198,7 @@ class Flow {
   laws::Kernel kernel_;
   std::array<Eigen::Index, 3> cells_{}, ghosts_{}, stride_{};  // one cell and no ghost in a direction that is not there
   Eigen::Index padded_ = 0, buffer_size_ = 0;
-  mutable std::vector<double> measured_, buffers_;  // see detail::Cells
+  mutable std::vector<double> measured_, buffers_, gathered_;  // see detail::Cells
 };
 
 /// What is compiled once, in the library; another combination does not link.

@@ -162,6 +162,13 @@ class Scene {
   /// @return the domain
   const D& domain() const { return domain_; }
 
+  /// @tparam L  which of its laws
+  /// @return that law
+  template <class L>
+  const L& law() const {
+    return std::get<L>(laws_);
+  }
+
   /// Accelerations at given positions. @see schemes::PositionProblem
   ///
   /// @param t  time [s]

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <limits>
+
 #include <particulate/schemes/problem.hpp>
 
 namespace particulate::schemes {
@@ -17,7 +19,9 @@ struct ForwardEuler {
   static constexpr bool advances(const Traits& of) { return of.motion || of.values; }
   /// @param kind  of time scale @return how many of them one step may span: see Limited [-]
   static double spans(TimeScale::Kind kind, int) {
-    return kind == TimeScale::Kind::decays ? 2.0 : kind == TimeScale::Kind::drifts ? 1.0 : 0.0;
+    using Kind = TimeScale::Kind;
+    if (kind == Kind::loads) return std::numeric_limits<double>::infinity();
+    return kind == Kind::decays || kind == Kind::relaxes ? 2.0 : kind == Kind::drifts ? 1.0 : 0.0;
   }
 
   /// One step.

@@ -247,6 +247,7 @@ class Run {
   }
 
   Limit tightest(const std::vector<TimeScale>& scales) const {
+    using Kind = TimeScale::Kind;
     Limit all, waves, decays;
     for (const TimeScale& scale : scales) {
       if (!(scale.seconds > 0.0)) {
@@ -256,8 +257,8 @@ class Run {
       const double spans = task_.scheme_can.spans(task_.scheme, scale.kind, task_.control_can.sweeps(task_.control));
       const Limit limit{.scale = &scale, .spans = spans, .step = spans * scale.seconds};
       for (Limit* each : {&all, &waves, &decays}) {
-        if (each == &waves && scale.kind != TimeScale::Kind::waves) continue;
-        if (each == &decays && scale.kind != TimeScale::Kind::decays) continue;
+        if (each == &waves && scale.kind != Kind::waves) continue;
+        if (each == &decays && scale.kind != Kind::decays && scale.kind != Kind::loads) continue;
         if (limit.step < each->step) *each = limit;
       }
     }

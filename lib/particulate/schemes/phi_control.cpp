@@ -26,11 +26,11 @@ Decision PhiControl::judge(const Attempt& made) {
 
 // The wish of the most demanding field; NaN if nothing was measured.
 double PhiControl::factor(const Attempt& made) {
-  if (made.fields.empty()) return phi_K(made.iteration, TOL, K_d);
+  if (made.fields.empty()) return phi_K(made.iteration, TOL, K_d - spare);
   double wish = std::numeric_limits<double>::quiet_NaN();
   controlling = made.iteration.field;
   for (const Iteration& field : made.fields) {
-    const double its = phi_K(field, TOL, K_d);
+    const double its = phi_K(field, TOL, K_d - spare);
     if (std::isnan(its) || its >= wish) continue;
     wish = its;
     if (std::isfinite(its)) controlling = field.field;
@@ -47,6 +47,8 @@ void validate(const PhiControl& control) {
   constexpr const char* whose = "Phi_K control";
   validate_tolerance(whose, control.TOL);
   detail::require(whose, control.K_d >= 1, "K_d must be at least 1", control.K_d);
+  detail::require(whose, control.spare >= 0 && control.spare < control.K_d, "spare must lie between 0 and K_d - 1",
+                  control.spare);
   detail::require(whose, control.limit > 0.0 && std::isfinite(control.limit), "limit must be positive and finite, in s",
                   control.limit);
   detail::validate(whose, {.step = control.step,

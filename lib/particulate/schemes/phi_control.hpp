@@ -13,10 +13,10 @@ namespace particulate::schemes {
 ///
 /// \f[ \Delta t \leftarrow \min(\Phi_K\,\Delta t,\ \Delta t_{lim}) \f]
 ///
-/// (see phi_K()): after a success, where \f$ \Phi_K \ge 1 \f$, the next step grows; after a failure, where
-/// \f$ \Phi_K < 1 \f$, the state at the start of the step is restored and the step is made again, smaller. Of several
-/// staggered fields, each with its own tolerance and exponent, the smallest \f$ \Phi_K \f$ rules; the scheme measures
-/// their errors in units of their tolerances, so that TOL is 1 here.
+/// (see phi_K(), of K_d less what is to spare): after a success, where \f$ \Phi_K \ge 1 \f$, the next step grows; after
+/// a failure, where \f$ \Phi_K < 1 \f$, the state at the start of the step is restored and the step is made again,
+/// smaller. Of several staggered fields, each with its own tolerance and exponent, the smallest \f$ \Phi_K \f$ rules;
+/// the scheme measures their errors in units of their tolerances, so that TOL is 1 here.
 ///
 /// This bounds the error of the iteration, and nothing else: the error of the time discretization is bounded by
 /// \f$ \Delta t_{lim} \f$ alone.
@@ -37,6 +37,8 @@ struct PhiControl {
                         ///< it would miss TOL by a hair again [-]
   double shrink = 0.1;  ///< and at least so many times, in (0, retry): what is measured far from the fixed point is
                         ///< no measure of how much smaller it must be [-]
+  int spare = 0;  ///< contractions of the K_d that the next step is not to need, from 0 to K_d - 1: with none a step
+                  ///< that meets TOL makes the next one longer, until one does not [-]
   std::string_view controlling = {};  ///< set by judge(): the staggered field whose Phi_K was the smallest
 
   /// @return the step to try next [s]

@@ -26,6 +26,7 @@ template <class Mixing>
 double PhiFamily<Mixing>::spans(TimeScale::Kind kind, int sweeps) const {
   const bool oscillates = kind == TimeScale::Kind::oscillates;
   const double contraction = phi_ > 0.0 ? 1.0 / phi_ : std::numeric_limits<double>::infinity();
+  if (kind == TimeScale::Kind::loads) return std::numeric_limits<double>::infinity();
   if (kind == TimeScale::Kind::drifts) return sweeps == 1 ? 1.0 : std::numeric_limits<double>::infinity();
   if ((oscillates || kind == TimeScale::Kind::waves) && phi_ < 0.5) return 0.0;
   if (kind == TimeScale::Kind::waves && sweeps == 1) return 0.0;

@@ -238,8 +238,12 @@ struct TimeScale {
     oscillates,  ///< \f$ 1/\omega \f$ of a motion: a spring
     waves,       ///< \f$ 1/\omega \f$ of values of first order: sound
     decays,      ///< \f$ 1/\lambda \f$: diffusion, drag
-    drifts       ///< the step beyond which what a step of forward Euler adds to a disturbance that is carried along
+    drifts,      ///< the step beyond which what a step of forward Euler adds to a disturbance that is carried along
                  ///< does harm; no other scheme minds
+    relaxes,     ///< \f$ 1/\lambda \f$ of one staggered field towards another, where it solves that by itself:
+                 ///< staggering does not mind, to all others it decays
+    loads        ///< \f$ \tau/(\Lambda - 1) \f$ of such a field with the weight Lambda > 1 against the other: sweeps
+                 ///< between them contract by \f$ \Lambda\,\Delta t/(\tau + \Delta t) \f$; no other scheme minds
   };
   std::string name;              ///< for reports: "sound"
   Kind kind = Kind::oscillates;  ///< see Kind

@@ -23,8 +23,9 @@ struct RungeKutta4 {
   static constexpr bool advances(const Traits& of) { return of.motion || of.values; }
   /// @param kind  of time scale @return how many of them one step may span: see Limited [-]
   static double spans(TimeScale::Kind kind, int) {
-    if (kind == TimeScale::Kind::drifts) return std::numeric_limits<double>::infinity();
-    return kind == TimeScale::Kind::decays ? 2.785293563405282 : 2.8284271247461903;
+    using Kind = TimeScale::Kind;
+    if (kind == Kind::drifts || kind == Kind::loads) return std::numeric_limits<double>::infinity();
+    return kind == Kind::decays || kind == Kind::relaxes ? 2.785293563405282 : 2.8284271247461903;
   }
 
   /// One step.

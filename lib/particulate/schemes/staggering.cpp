@@ -42,7 +42,7 @@ Staggered::Staggered(std::vector<Field> fields, Seen seen, std::optional<Aitken>
 
 double Staggered::spans(TimeScale::Kind kind, int sweeps) const {
   const double none = std::numeric_limits<double>::infinity();
-  if (relaxation_ || kind == TimeScale::Kind::oscillates) return none;
+  if (relaxation_ || kind == TimeScale::Kind::oscillates || kind == TimeScale::Kind::relaxes) return none;
   if (kind == TimeScale::Kind::drifts) return sweeps == 1 ? 1.0 : none;
   if (kind == TimeScale::Kind::waves && sweeps == 1 && seen_ == Seen::previous) return 0.0;
   return sweeps == 1 ? 2.0 : 1.0;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <limits>
+
 #include <particulate/schemes/problem.hpp>
 
 namespace particulate::schemes {
@@ -15,8 +17,10 @@ struct SymplecticEuler {
   static constexpr int order = 1;  ///< of the global error [-]
   /// @param of  what a problem has @return whether it has motion
   static constexpr bool advances(const Traits& of) { return of.motion; }
-  /// @return how many time scales of either kind one step may span: see Limited [-]
-  static double spans(TimeScale::Kind, int) { return 2.0; }
+  /// @param kind  of time scale @return how many of them one step may span: see Limited [-]
+  static double spans(TimeScale::Kind kind, int) {
+    return kind == TimeScale::Kind::loads ? std::numeric_limits<double>::infinity() : 2.0;
+  }
 
   /// One step.
   ///

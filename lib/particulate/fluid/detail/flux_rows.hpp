@@ -126,13 +126,11 @@ void mass_fluxes(const Cells& q, Index first, Index count, double* mass) {
 // What is wanted through the faces of a row.
 template <int Dim, int a, bool has_heat, bool varies>
 void wanted_fluxes(const Cells& q, unsigned wanted, Index first, Index count, bool works, Row to) {
-  if (wanted == density) {
-    mass_fluxes<a>(q, first, count, to.f);
-  } else if (has_heat && (wanted & energy) != 0) {
-    fluxes<Dim, a, has_heat, varies>(q, first, count, works, to);
-  } else {
-    fluxes<Dim, a, false, varies>(q, first, count, works, to);
+  if (wanted == density) return mass_fluxes<a>(q, first, count, to.f);
+  if constexpr (has_heat) {
+    if ((wanted & energy) != 0) return fluxes<Dim, a, true, varies>(q, first, count, works, to);
   }
+  fluxes<Dim, a, false, varies>(q, first, count, works, to);
 }
 
 // The fluxes into a row through its faces, before and behind.

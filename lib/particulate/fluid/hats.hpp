@@ -1,0 +1,107 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include <particulate/fluid/boundary.hpp>
+#include <particulate/schemes/state.hpp>
+
+/// @file
+/// How much each cell of a grid counts for each particle.
+
+namespace particulate::fluid {
+
+/// Columns of numbers of cells: where the first cell's first number stands, and how far it is to the next cell in each
+/// direction and to the next column.
+struct Columns {
+  const double* first = nullptr;            ///< of the cell with the least numbers
+  std::array<Eigen::Index, 3> stride = {};  ///< to the next cell in each direction; 1 along x
+  std::vector<Eigen::Index> offset = {};    ///< where each column begins, from `first`
+};
+
+/// Hats around places, for reading values of cells there and for spreading what acts there over cells.
+///
+/// \f[ w_q = \frac{\prod_a h_{qa}}{\sum_q \prod_a h_{qa}}, \qquad
+///     h_{qa} = \max\Big(0,\ 1 - \frac{|x_a - x_{qa}|}{w}\Big) \f]
+///
+/// @equation{D 8.1.2} Of half-width w; w = h is the trilinear interpolation that the monograph names. The same weights
+/// read and spread, so that a force has the same power on both sides. Their sum is one, next to the faces of a box that
+/// does not begin again too, where they are those of the cells inside. Each place has its nearest image.
+/// @tparam Dim  1, 2 or 3
+template <int Dim>
+class Hats {
+ public:
+  /// @param grid        cells
+  /// @param boundaries  which directions begin again
+  /// @param half_width  w of each place, from the largest edge of a cell to half the shortest edge of the box [m]
+  /// @param threads     that share the work, 1 to 1024; the same bits for any number
+  /// @throws std::invalid_argument naming the place, what must hold, what was given and what to do
+  Hats(const Grid<Dim>& grid, const Boundaries<Dim>& boundaries, Eigen::VectorXd half_width, int threads = 1);
+
+  /// Finds the weights around places.
+  ///
+  /// @param r  as many places as half-widths, column by column: all x, then all y, then all z [m]
+  /// @return whether all are finite and in the box, where that does not begin again
+  bool place(schemes::In r);
+  /// @param x  a place [m]
+  /// @return whether it is finite and in the box, where that does not begin again
+  bool contains(const Eigen::Vector3d& x) const;
+
+  /// Reads columns at the places: \f$ \sum_q w_q f_q \f$.
+  ///
+  /// @param from  what cells have
+  /// @param out   receives, place after place, one number for each column
+  void gather(const Columns& from, double* out) const;
+  /// Spreads numbers over cells: each gets \f$ w_q \f$ of them.
+  ///
+  /// @param from   numbers, place after place
+  /// @param apart  from one place to the next [numbers]
+  /// @param count  how many of them are spread
+  /// @param scale  what they are multiplied by
+  /// @param to     columns one after the other, x fastest, to which they are added
+  void spread(const double* from, Eigen::Index apart, int count, double scale, double* to) const;
+
+  /// Columns without ghosts, as spread() writes them.
+  ///
+  /// @param first  of the first
+  /// @param count  how many
+  /// @return what gather() reads
+  Columns columns(const double* first, int count) const;
+
+  /// @return number of places
+  Eigen::Index size() const { return half_width_.size(); }
+  /// @return of each place [m]
+  const Eigen::VectorXd& half_width() const { return half_width_; }
+  /// @param axis  direction @return after which the box begins again; infinite: it does not [m]
+  double period(int axis) const;
+
+ private:
+  // Cells of one place in one direction.
+  struct Run {
+    int first = 0, count = 0;
+  };
+  // The run along x in at most two pieces, before and after the end of the box.
+  struct Piece {
+    int cell, weight, count;
+  };
+  std::array<Piece, 2> pieces(Eigen::Index i) const;
+  void place_along(Eigen::Index i, int axis, double x);
+  const double* weights(Eigen::Index i, int axis) const {
+    return weight_.data() + (static_cast<std::size_t>(i) * Dim + static_cast<std::size_t>(axis)) * room_;
+  }
+  const Run& run(Eigen::Index i, int axis) const { return run_[static_cast<std::size_t>(i * Dim + axis)]; }
+  // Calls with the numbers y and z of each row of cells and the weight of it.
+  template <class Visit>
+  void visit_rows(Eigen::Index i, const Visit& visit) const;
+
+  Grid<Dim> grid_;
+  std::array<bool, Dim> periodic_{};
+  Eigen::VectorXd half_width_;
+  int threads_;
+  std::size_t room_ = 1;  // for the weights of a run
+  std::vector<Run> run_;
+  std::vector<double> weight_;
+};
+
+}  // namespace particulate::fluid
