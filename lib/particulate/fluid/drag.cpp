@@ -46,7 +46,7 @@ double drag_rate(const Stream& fluid, double b, double u) {
   return 0.5 * drag_coefficient(Re) * fluid.rho * u * std::numbers::pi * b * b;
 }
 
-// With Re of the speed the force is G = C_D Re^2 = 8 rho F/(pi mu^2), on each branch a power of Re.
+// On each branch 8 rho F/(pi mu^2) = C_D Re^2 is a power of Re. Roots factor by factor: it may be beyond a double.
 std::vector<double> steady_speeds(const Stream& fluid, double b, double force) {
   validate(fluid);
   if (!(b > 0.0 && std::isfinite(b) && force >= 0.0 && std::isfinite(force))) {
@@ -54,11 +54,13 @@ std::vector<double> steady_speeds(const Stream& fluid, double b, double force) {
         "steady speeds: the radius must be positive, the force not negative, and both finite, got {} m and {} N", b,
         force));
   }
-  const double unit = fluid.mu / fluid.rho, G = 8.0 * force / std::numbers::pi / fluid.mu / unit;
+  const double unit = fluid.mu / fluid.rho;
   std::vector<double> speeds;
   double from = -1.0;
   for (const Branch& branch : branches) {
-    const double Re = std::pow(G / branch.factor, 1.0 / (2.0 + branch.power));
+    const double root = 1.0 / (2.0 + branch.power), mu = std::pow(fluid.mu, root);
+    const double Re =
+        std::pow(8.0 * force / (std::numbers::pi * branch.factor), root) * std::pow(fluid.rho, root) / mu / mu;
     if (Re > from && Re <= branch.to) speeds.push_back(Re * unit / (2.0 * b));
     from = branch.to;
   }

@@ -91,7 +91,7 @@ inline Eigen::Vector3d drag(const Stream& fluid, double b, const Eigen::Vector3d
 /// @param fluid  around the sphere, at rest
 /// @param b      radius, > 0 [m]
 /// @param force  on it, >= 0 and finite [N]
-/// @return one to three speeds [m/s]
+/// @return one or two speeds [m/s]
 /// @throws std::invalid_argument for what is no force, no sphere or no fluid
 std::vector<double> steady_speeds(const Stream& fluid, double b, double force);
 

@@ -3,12 +3,104 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
 #include <fmt/format.h>
 
 namespace particulate::fluid {
+
+namespace hats {
+
+// std::floor, which the baseline of the architecture has no instruction for, of what is no larger than a grid.
+int whole_below(double x) {
+  const int towards_zero = static_cast<int>(x);
+  return towards_zero - (x < towards_zero ? 1 : 0);
+}
+
+// The rows of cells of one place: across, then plane by plane. Planes before `begin` and from `end` on are left out.
+struct Block {
+  const int *row, *plane;
+  const double *row_weight, *plane_weight;
+  int rows, planes;
+  Eigen::Index row_stride, plane_stride;
+  int begin = 0, end = std::numeric_limits<int>::max();
+};
+
+constexpr int no_cell = 0;
+constexpr double whole = 1.0;
+
+// In fewer than three directions there is one row a plane, or one row.
+template <int Dim, class RunOf>
+Block block_of(const RunOf& run, const std::array<Eigen::Index, 3>& stride) {
+  Block all{&no_cell, &no_cell, &whole, &whole, 1, 1, 0, 0};
+  if constexpr (Dim > 1) {
+    const auto up = run(Dim - 1);
+    all.plane = up.cell, all.plane_weight = up.weight, all.planes = up.count, all.plane_stride = stride[Dim - 1];
+  }
+  if constexpr (Dim > 2) {
+    const auto across = run(1);
+    all.row = across.cell, all.row_weight = across.weight, all.rows = across.count, all.row_stride = stride[1];
+  }
+  return all;
+}
+
+// Up to so many cells along x at once, a number that the compiler knows.
+constexpr int longest = 8;
+template <int n>
+using Cells = Eigen::Array<double, n, 1>;
+
+template <int n>
+void read_cells(const double* first, std::span<const Eigen::Index> columns, const double* x, const Block& block,
+                double* out) {
+  const Cells<n> along = Eigen::Map<const Cells<n>>(x);
+  for (const Eigen::Index column : columns) {
+    Cells<n> sum = Cells<n>::Zero();
+    for (int k = 0; k < block.planes; ++k) {
+      const double* const plane = first + column + block.plane[k] * block.plane_stride;
+      for (int j = 0; j < block.rows; ++j) {
+        const double weight = block.plane_weight[k] * block.row_weight[j];
+        sum += weight * Eigen::Map<const Cells<n>>(plane + block.row[j] * block.row_stride);
+      }
+    }
+    *out++ += (sum * along).sum();
+  }
+}
+
+template <int n>
+void add_to_cells(double* first, std::span<const double> values, double scale, Eigen::Index apart, const double* x,
+                  const Block& block) {
+  for (const double value : values) {
+    const Cells<n> along = scale * value * Eigen::Map<const Cells<n>>(x);
+    for (int k = 0; k < block.planes; ++k) {
+      if (block.plane[k] < block.begin || block.plane[k] >= block.end) continue;
+      double* const plane = first + block.plane[k] * block.plane_stride;
+      for (int j = 0; j < block.rows; ++j) {
+        const double weight = block.plane_weight[k] * block.row_weight[j];
+        Eigen::Map<Cells<n>>(plane + block.row[j] * block.row_stride) += weight * along;
+      }
+    }
+    first += apart;
+  }
+}
+
+constexpr std::array reads = {read_cells<1>, read_cells<2>, read_cells<3>, read_cells<4>,
+                              read_cells<5>, read_cells<6>, read_cells<7>, read_cells<8>};
+constexpr std::array adds = {add_to_cells<1>, add_to_cells<2>, add_to_cells<3>, add_to_cells<4>,
+                             add_to_cells<5>, add_to_cells<6>, add_to_cells<7>, add_to_cells<8>};
+
+// Calls with the first cell, the weights and the number of cells that follow one another along x.
+template <class Run, class Visit>
+void for_pieces(const Run& along, const Visit& visit) {
+  for (int from = 0, m = 1; from < along.count; ++m) {
+    if (m < along.count && m - from < longest && along.cell[m] == along.cell[m - 1] + 1) continue;
+    visit(along.cell[from], along.weight + from, m - from);
+    from = m;
+  }
+}
+
+}  // namespace hats
 
 template <int Dim>
 Hats<Dim>::Hats(const Grid<Dim>& grid, const Boundaries<Dim>& boundaries, Eigen::VectorXd half_width, int threads)
@@ -19,6 +111,9 @@ Hats<Dim>::Hats(const Grid<Dim>& grid, const Boundaries<Dim>& boundaries, Eigen:
     periodic_[static_cast<std::size_t>(a)] =
         std::holds_alternative<Periodic>(boundaries[static_cast<std::size_t>(2 * a)]);
     largest = std::max(largest, grid_.h(a));
+  }
+  if (threads < 1 || threads > 1024) {
+    throw std::invalid_argument(fmt::format("hats: threads must be from 1 to 1024, got {}", threads));
   }
   const double half = 0.5 * grid_.lengths.minCoeff();
   for (Eigen::Index i = 0; i < size(); ++i) {
@@ -34,8 +129,9 @@ Hats<Dim>::Hats(const Grid<Dim>& grid, const Boundaries<Dim>& boundaries, Eigen:
     const double cells = 2.0 * half_width_.maxCoeff() / grid_.h(a);
     room_ = std::max(room_, static_cast<std::size_t>(std::ceil(cells)) + 1);
   }
-  run_.resize(static_cast<std::size_t>(size() * Dim));
-  weight_.resize(run_.size() * room_);
+  count_.resize(static_cast<std::size_t>(size() * Dim));
+  cell_.resize(count_.size() * room_);
+  weight_.resize(cell_.size());
 }
 
 template <int Dim>
@@ -65,22 +161,25 @@ bool Hats<Dim>::contains(const Eigen::Vector3d& x) const {
 template <int Dim>
 void Hats<Dim>::place_along(Eigen::Index i, int axis, double x) {
   const auto a = static_cast<std::size_t>(axis);
-  const auto n = static_cast<double>(grid_.cells[a]);
-  const double h = grid_.h(axis), reach = half_width_[i] / h;
-  double s = (x - grid_.corner[axis]) / h - 0.5;
-  if (periodic_[a]) s -= n * std::floor(s / n);
-  double low = std::floor(s - reach) + 1.0, high = std::ceil(s + reach) - 1.0;
-  if (!periodic_[a]) low = std::max(low, 0.0), high = std::min(high, n - 1.0);
+  const int cells = static_cast<int>(grid_.cells[a]);
+  const double n = cells, over_h = n / grid_.lengths[axis], reach = half_width_[i] * over_h, slope = 1.0 / reach;
+  double s = (x - grid_.corner[axis]) * over_h - 0.5;
+  if (periodic_[a] && !(s >= 0.0 && s < n)) s -= n * std::floor(s / n);
+  int low = hats::whole_below(s - reach) + 1, high = -hats::whole_below(-s - reach) - 1;
+  if (!periodic_[a]) low = std::max(low, 0), high = std::min(high, cells - 1);
   // A hat as wide as the box by roundings would meet a cell twice.
-  high = std::min(high, low + n - 1.0);
-  Run& run = run_[static_cast<std::size_t>(i * Dim + axis)];
-  const auto first = static_cast<int>(low), cells = static_cast<int>(grid_.cells[a]);
-  run.count = static_cast<int>(high - low) + 1;
-  run.first = first < 0 ? first + cells : first >= cells ? first - cells : first;
-  double* const w = weight_.data() + (static_cast<std::size_t>(i) * Dim + a) * room_;
+  high = std::min(high, low + cells - 1);
+  const std::size_t at = static_cast<std::size_t>(i) * Dim + a;
+  int* const cell = cell_.data() + at * room_;
+  double* const weight = weight_.data() + at * room_;
   double sum = 0.0;
-  for (int m = 0; m < run.count; ++m) sum += w[m] = std::max(0.0, 1.0 - std::abs(low + m - s) / reach);
-  for (int m = 0; m < run.count; ++m) w[m] /= sum;
+  for (int q = low; q <= high; ++q) {
+    cell[q - low] = q < 0 ? q + cells : q >= cells ? q - cells : q;
+    sum += weight[q - low] = std::max(0.0, 1.0 - slope * std::abs(q - s));
+  }
+  count_[at] = high - low + 1;
+  const double over = 1.0 / sum;
+  for (int m = 0; m < count_[at]; ++m) weight[m] *= over;
 }
 
 template <int Dim>
@@ -99,51 +198,15 @@ bool Hats<Dim>::place(schemes::In r) {
 }
 
 template <int Dim>
-auto Hats<Dim>::pieces(Eigen::Index i) const -> std::array<Piece, 2> {
-  const Run& along = run(i, 0);
-  const int before = std::min(along.count, static_cast<int>(grid_.cells[0]) - along.first);
-  return {{{along.first, 0, before}, {0, before, along.count - before}}};
-}
-
-template <int Dim>
-template <class Visit>
-void Hats<Dim>::visit_rows(Eigen::Index i, const Visit& visit) const {
-  const auto next = [&](int cell, int axis) {
-    return cell + 1 == static_cast<int>(grid_.cells[static_cast<std::size_t>(axis)]) ? 0 : cell + 1;
-  };
-  if constexpr (Dim == 1) {
-    visit(0, 0, 1.0);
-  } else {
-    constexpr int last = Dim - 1;
-    const Run across = run(i, 1), up = run(i, last);
-    int k = Dim == 3 ? up.first : 0;
-    for (int p = 0; p < (Dim == 3 ? up.count : 1); ++p, k = next(k, last)) {
-      const double above = Dim == 3 ? weights(i, last)[p] : 1.0;
-      int j = across.first;
-      for (int o = 0; o < across.count; ++o, j = next(j, 1)) visit(j, k, above * weights(i, 1)[o]);
-    }
-  }
-}
-
-template <int Dim>
 void Hats<Dim>::gather(const Columns& from, double* out) const {
   const auto columns = static_cast<Eigen::Index>(from.offset.size());
 #pragma omp parallel for schedule(static) num_threads(threads_) if (threads_ > 1)
   for (Eigen::Index i = 0; i < size(); ++i) {
+    const hats::Block block = hats::block_of<Dim>([&](int axis) { return run(i, axis); }, from.stride);
     double* const sum = out + i * columns;
     std::fill_n(sum, columns, 0.0);
-    const std::array<Piece, 2> along = pieces(i);
-    const double* const x = weights(i, 0);
-    visit_rows(i, [&](int j, int k, double weight) {
-      const double* const row = from.first + j * from.stride[1] + k * from.stride[2];
-      for (Eigen::Index c = 0; c < columns; ++c) {
-        const double* const column = row + from.offset[static_cast<std::size_t>(c)];
-        double all = 0.0;
-        for (const Piece& piece : along) {
-          for (int m = 0; m < piece.count; ++m) all += x[piece.weight + m] * column[piece.cell + m];
-        }
-        sum[c] += weight * all;
-      }
+    hats::for_pieces(run(i, 0), [&](int cell, const double* x, int cells) {
+      hats::reads[static_cast<std::size_t>(cells - 1)](from.first + cell, from.offset, x, block, sum);
     });
   }
 }
@@ -152,26 +215,16 @@ void Hats<Dim>::gather(const Columns& from, double* out) const {
 // the places: so the sums do not know how many there are.
 template <int Dim>
 void Hats<Dim>::spread(const double* from, Eigen::Index apart, int count, double scale, double* to) const {
-  const Eigen::Index n = grid_.cells[0], rows = Dim > 1 ? grid_.cells[1 % Dim] : 1, cells = grid_.size();
-  const Eigen::Index planes = Dim == 3 ? grid_.cells[Dim - 1] : Dim == 2 ? rows : 1;
-  const int sharing = Dim == 1 ? 1 : threads_;
+  const std::array<Eigen::Index, 3> stride = columns(to, 0).stride;
+  const int planes = Dim == 1 ? 1 : static_cast<int>(grid_.cells[Dim - 1]), sharing = Dim == 1 ? 1 : threads_;
 #pragma omp parallel for schedule(static, 1) num_threads(sharing) if (sharing > 1)
   for (int thread = 0; thread < sharing; ++thread) {
-    const Eigen::Index begin = planes * thread / sharing, end = planes * (thread + 1) / sharing;
     for (Eigen::Index i = 0; i < size(); ++i) {
-      const std::array<Piece, 2> along = pieces(i);
-      const double* const x = weights(i, 0);
-      visit_rows(i, [&](int j, int k, double weight) {
-        const Eigen::Index plane = Dim == 3 ? k : j;
-        if (plane < begin || plane >= end) return;
-        double* const row = to + (j + k * rows) * n;
-        for (int c = 0; c < count; ++c) {
-          const double given = scale * weight * from[i * apart + c];
-          double* const column = row + c * cells;
-          for (const Piece& piece : along) {
-            for (int m = 0; m < piece.count; ++m) column[piece.cell + m] += given * x[piece.weight + m];
-          }
-        }
+      hats::Block block = hats::block_of<Dim>([&](int axis) { return run(i, axis); }, stride);
+      block.begin = planes * thread / sharing, block.end = planes * (thread + 1) / sharing;
+      const std::span<const double> values(from + i * apart, static_cast<std::size_t>(count));
+      hats::for_pieces(run(i, 0), [&](int cell, const double* x, int cells) {
+        hats::adds[static_cast<std::size_t>(cells - 1)](to + cell, values, scale, grid_.size(), x, block);
       });
     }
   }

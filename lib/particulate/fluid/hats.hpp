@@ -77,30 +77,24 @@ class Hats {
   double period(int axis) const;
 
  private:
-  // Cells of one place in one direction.
+  // The cells of one place along one direction, and their weights.
   struct Run {
-    int first = 0, count = 0;
+    const int* cell;
+    const double* weight;
+    int count;
   };
-  // The run along x in at most two pieces, before and after the end of the box.
-  struct Piece {
-    int cell, weight, count;
-  };
-  std::array<Piece, 2> pieces(Eigen::Index i) const;
-  void place_along(Eigen::Index i, int axis, double x);
-  const double* weights(Eigen::Index i, int axis) const {
-    return weight_.data() + (static_cast<std::size_t>(i) * Dim + static_cast<std::size_t>(axis)) * room_;
+  Run run(Eigen::Index i, int axis) const {
+    const std::size_t at = static_cast<std::size_t>(i) * Dim + static_cast<std::size_t>(axis);
+    return {cell_.data() + at * room_, weight_.data() + at * room_, count_[at]};
   }
-  const Run& run(Eigen::Index i, int axis) const { return run_[static_cast<std::size_t>(i * Dim + axis)]; }
-  // Calls with the numbers y and z of each row of cells and the weight of it.
-  template <class Visit>
-  void visit_rows(Eigen::Index i, const Visit& visit) const;
+  void place_along(Eigen::Index i, int axis, double x);
 
   Grid<Dim> grid_;
   std::array<bool, Dim> periodic_{};
   Eigen::VectorXd half_width_;
   int threads_;
-  std::size_t room_ = 1;  // for the weights of a run
-  std::vector<Run> run_;
+  std::size_t room_ = 1;  // for the cells of a run
+  std::vector<int> cell_, count_;
   std::vector<double> weight_;
 };
 
