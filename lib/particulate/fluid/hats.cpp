@@ -152,7 +152,9 @@ bool Hats<Dim>::contains(const Eigen::Vector3d& x) const {
   bool inside = x.allFinite();
   for (int a = 0; a < Dim; ++a) {
     const double into = x[a] - grid_.corner[a];
-    inside = inside && (periodic_[static_cast<std::size_t>(a)] || (into >= 0.0 && into <= grid_.lengths[a]));
+    // Farther away a double does not know in which cell a place is.
+    const bool near = std::abs(into) < 4e15 * grid_.h(a);
+    inside = inside && near && (periodic_[static_cast<std::size_t>(a)] || (into >= 0.0 && into <= grid_.lengths[a]));
   }
   return inside;
 }

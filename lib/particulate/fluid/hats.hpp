@@ -42,10 +42,10 @@ class Hats {
   /// Finds the weights around places.
   ///
   /// @param r  as many places as half-widths, column by column: all x, then all y, then all z [m]
-  /// @return whether all are finite and in the box, where that does not begin again
+  /// @return whether contains() all of them
   bool place(schemes::In r);
   /// @param x  a place [m]
-  /// @return whether it is finite and in the box, where that does not begin again
+  /// @return whether it is in the box, or where that begins again less than 4e15 cells away
   bool contains(const Eigen::Vector3d& x) const;
 
   /// Reads columns at the places: \f$ \sum_q w_q f_q \f$.
