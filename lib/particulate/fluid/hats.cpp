@@ -135,12 +135,6 @@ Hats<Dim>::Hats(const Grid<Dim>& grid, const Boundaries<Dim>& boundaries, Eigen:
 }
 
 template <int Dim>
-double Hats<Dim>::period(int axis) const {
-  return axis < Dim && periodic_[static_cast<std::size_t>(axis)] ? grid_.lengths[axis]
-                                                                 : std::numeric_limits<double>::infinity();
-}
-
-template <int Dim>
 Columns Hats<Dim>::columns(const double* first, int count) const {
   Columns all{.first = first, .stride = {1, grid_.cells[0], Dim > 1 ? grid_.cells[0] * grid_.cells[1 % Dim] : 0}};
   for (int c = 0; c < count; ++c) all.offset.push_back(c * grid_.size());

@@ -73,8 +73,6 @@ class Hats {
   Eigen::Index size() const { return half_width_.size(); }
   /// @return of each place [m]
   const Eigen::VectorXd& half_width() const { return half_width_; }
-  /// @param axis  direction @return after which the box begins again; infinite: it does not [m]
-  double period(int axis) const;
 
  private:
   // The cells of one place along one direction, and their weights.

@@ -127,11 +127,11 @@ class Suspension {
               flow_.threads()),
         exchange_(particles_.particles(), Dim, hats_.half_width(), spreading.corrected, exchange_of(heat)) {
     if (spreading.corrected) detail::require_corrected(hats_.half_width(), particles_.particles().radius);
-    detail::require_no_overlap(particles_.domain(), particles_.particles());
     for (Eigen::Index i = 0; i < count(); ++i) {
       const Eigen::Vector3d place = kinematics::vector(particles_.particles().position, i);
       if (!hats_.contains(place)) throw std::invalid_argument("suspension: " + detail::outside(i, place));
     }
+    detail::require_no_overlap(particles_.domain(), particles_.particles());
     if constexpr (!F::varies) {
       const double mu = viscosity(flow_.fluid().viscosity);
       if (!(mu > 0.0) && count() > 0) detail::refuse_viscosity(mu);
