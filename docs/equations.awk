@@ -14,7 +14,7 @@ BEGIN {
   split("1.12 1.13 1.19 1.28 1.29 1.30 1.33 1.39 1.40 1.41 2.1 2.13 2.15 2.22 2.40 2.42 2.43 2.46 2.47 2.48 2.49 " \
         "3.4 3.5", list, " ")
   for (k in list) legible[list[k]] = 1
-  split("1.4 2.2 3.4 5.1 7.2 7.3 8.1.1 8.1.2 8.2 8.4 9.3 9.5 A.1 A.2 A.4 A.5 A.6 A.7 A.8 B.1 B.2 B.3", list, " ")  # sections that a derivation starts from, though equations have numbers like theirs
+  split("1.4 2.2 3.4 5.1 7.2 7.3 8.2 8.4 9.3 9.5 A.1 A.2 A.4 A.5 A.6 A.7 A.8 B.1 B.2 B.3", list, " ")  # sections that a derivation starts from, though equations have numbers like theirs
   for (k in list) section["D " list[k]] = 1
   rows = depth = blocks = 0
 }

@@ -173,6 +173,9 @@ class Flow {
   int threads() const { return threads_; }
   /// @return how many numbers a state has
   Eigen::Index size() const { return grid_.size() * numbers; }
+  /// @param size  of a state
+  /// @throws std::invalid_argument if that is not size()
+  void require_size(Eigen::Index size) const;
   /// The fluid at places, as it was measured last.
   ///
   /// @equation{D 8.1.2}
@@ -184,7 +187,6 @@ class Flow {
   detail::Cells cells() const;
   double* row_of(Eigen::Index row) const;
   const double* measured_row(Eigen::Index row, const double* y) const;
-  void require_size(Eigen::Index size) const;
   bool apply_laws(double* rho) const;
   void look_at_row(const double* rho, detail::Rates& all) const;
   void fill_face(double t, int face) const;

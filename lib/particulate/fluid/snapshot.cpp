@@ -2,7 +2,6 @@
 
 #include <iterator>
 #include <ostream>
-#include <stdexcept>
 #include <string>
 
 #include <fmt/format.h>
@@ -35,10 +34,7 @@ void write_vtk(std::ostream& out, const Flow<Dim, E, V>& flow, const schemes::St
   using Kind = Flow<Dim, E, V>;
   const Grid<Dim>& grid = flow.grid();
   const Eigen::Index N = grid.size();
-  if (state.y.size() != Kind::numbers * N) {
-    throw std::invalid_argument(fmt::format("snapshot: a state of {} cells must hold {} numbers, {} a cell, got {}", N,
-                                            Kind::numbers * N, Kind::numbers, state.y.size()));
-  }
+  flow.require_size(state.y.size());
   std::string extent;  // in corners of cells; a direction that is not there has one
   Vector<Dim> h;
   for (int a = 0; a < 3; ++a) {

@@ -314,6 +314,14 @@ class Suspension {
   Local<Dim> local(const schemes::State& at, Eigen::Index cell) const {
     return flow_.local(schemes::In(at.y.head(flow_.size())), cell);
   }
+  /// @param at  a state
+  /// @return the fluid alone, a state of flow(): for snapshots
+  schemes::State of_fluid(const schemes::State& at) const { return {.t = at.t, .y = at.y.head(flow_.size())}; }
+  /// @param at  a state
+  /// @return the particles alone, with their temperatures: for snapshots, and for a scene of the same
+  schemes::State of_particles(const schemes::State& at) const {
+    return {.t = at.t, .r = at.r, .v = at.v, .y = at.y.tail(temperatures())};
+  }
   /// What the particles feel.
   ///
   /// @param at  a state
@@ -391,9 +399,6 @@ class Suspension {
   void spread(int first, int numbers, double scale, schemes::Out to) const {
     hats_.spread(exchange_.given().data() + first, Dim + 1, numbers, scale,
                  to.data() + (1 + first) * flow_.grid().size());
-  }
-  schemes::State of_particles(const schemes::State& at) const {
-    return {.t = at.t, .r = at.r, .v = at.v, .y = at.y.tail(temperatures())};
   }
   void add_nothing() const {
     law().force.setZero(3 * count());
