@@ -80,6 +80,14 @@ bool add_heat(const HeatFromFluid<Field>& law, const D&, const laws::At<laws::Ve
   return flow.allFinite();
 }
 
+/// @param law  the law
+/// @param at   the particles
+/// @return which of them the fluid has no value at; empty: none
+template <StreamField Field, kinematics::Domain D>
+std::string why_no_force(const HeatFromFluid<Field>& law, const D&, const laws::At<>& at) {
+  return detail::why_no_stream(at, law.fluid);
+}
+
 /// Appends the slopes of these flows: each sphere's own alone.
 ///
 /// @equation{D 8.1.2}

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <concepts>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -184,7 +185,7 @@ class Suspension {
              schemes::State& to) const {
     require_size(seen.y.size());
     if (k == 0) return solve_motion(from, dt, seen, to);
-    if (from.t != solved_t_ || dt != solved_dt_) detail::refuse_order(k);
+    if (from.t != solved_t_ || dt != solved_dt_ || from.v != solved_v_) detail::refuse_order(k);
     if (k < first_fluid) return solve_temperatures(from, dt, seen, to);
     const std::size_t field = k - first_fluid;
     const auto head = [&](auto& y) { return y.head(flow_.size()); };
@@ -247,17 +248,12 @@ class Suspension {
   /// @return why it has no value: which cell, or which particle; empty: it has
   std::string why_no_value(const schemes::State& at) const {
     require_size(at.y.size());
-    std::string leaves;
     for (Eigen::Index i = 0; i < count(); ++i) {
-      // One that stands beside the end of the box leaves it within the step.
-      const Eigen::Vector3d place = schemes::position(at, i), v = schemes::velocity(at, i);
+      const Eigen::Vector3d place = schemes::position(at, i);
       if (!hats_.contains(place)) return detail::outside(i, place);
-      const Eigen::Vector3d ahead = place + flow_.grid().h(0) * v / v.norm();
-      if (v.norm() > 0.0 && !hats_.contains(ahead)) leaves = detail::outside(i, ahead);
     }
-    std::string why = flow_.why_no_value(schemes::In(at.y.head(flow_.size())));
-    if (why.empty()) why = particles_.why_no_value(of_particles(at));
-    return why.empty() ? leaves : why;
+    const std::string why = flow_.why_no_value(schemes::In(at.y.head(flow_.size())));
+    return why.empty() ? particles_.why_no_value(of_particles(at)) : why;
   }
   /// @return density, momentum, energy and temperatures of particles, those that there are
   std::vector<schemes::Range> ranges() const {
@@ -389,8 +385,9 @@ class Suspension {
     if (size != flow_.size() + temperatures()) detail::refuse_size(size, flow_.size(), temperatures());
   }
   const FromFluid& law() const { return particles_.template law<FromFluid>(); }
-  // Reads the fluid that was measured last.
+  // Reads the fluid that was measured last. What a step gave is then no longer known.
   bool look(schemes::In r) const {
+    solved_t_ = std::numeric_limits<double>::quiet_NaN();
     if (!hats_.place(r)) return false;
     flow_.gather(hats_, exchange_.around);
     return true;
@@ -413,7 +410,7 @@ class Suspension {
     if (!particles_.total_force(own, others_)) return false;
     to.v = own.v;
     if (!exchange_.move(from, others_, dt, to.v, to.r)) return false;
-    solved_t_ = from.t, solved_dt_ = dt;
+    solved_t_ = from.t, solved_dt_ = dt, solved_v_ = from.v;
     return true;
   }
   bool solve_temperatures(const schemes::State& from, double dt, const schemes::State& seen, schemes::State& to) const {
@@ -439,7 +436,9 @@ class Suspension {
   mutable Hats<Dim> hats_;
   mutable Exchange exchange_;
   mutable Eigen::VectorXd others_;
-  mutable double solved_t_ = std::numeric_limits<double>::quiet_NaN(), solved_dt_ = solved_t_;
+  // The step whose particles were solved last.
+  mutable double solved_t_ = std::numeric_limits<double>::quiet_NaN(), solved_dt_ = 0.0;
+  mutable Eigen::VectorXd solved_v_;
 };
 
 }  // namespace particulate::fluid

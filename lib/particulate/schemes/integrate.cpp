@@ -189,10 +189,16 @@ class Run {
     return false;
   }
 
-  // At the start of the step, else at its last iterate.
+  // At the start of the step, else at its last iterate, else where its bodies are heading.
   std::string why_no_value() const {
     std::string why = problem_.why_no_value(state_);
     if (why.empty()) why = problem_.why_no_value(to_);
+    if (why.empty() && state_.r.size() > 0) {
+      State ahead = state_;
+      advance_time(state_, dt_, ahead);
+      ahead.r += dt_ * ahead.v;
+      why = problem_.why_no_value(ahead);
+    }
     return why.empty() ? why : ": " + why;
   }
 

@@ -19,7 +19,9 @@ struct SymplecticEuler {
   static constexpr bool advances(const Traits& of) { return of.motion; }
   /// @param kind  of time scale @return how many of them one step may span: see Limited [-]
   static double spans(TimeScale::Kind kind, int) {
-    return kind == TimeScale::Kind::loads ? std::numeric_limits<double>::infinity() : 2.0;
+    using Kind = TimeScale::Kind;
+    if (kind == Kind::loads) return std::numeric_limits<double>::infinity();
+    return kind == Kind::waves ? 0.0 : kind == Kind::drifts ? 1.0 : 2.0;
   }
 
   /// One step.
