@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <numbers>
-#include <utility>
 
 namespace particulate::fluid {
 
@@ -25,7 +24,7 @@ Exchange::Exchange(const kinematics::Particles& particles, int axes, const Eigen
                    std::optional<HeatExchange> heat)
     : around(static_cast<std::size_t>(particles.size())),
       axes_(axes),
-      heat_(std::move(heat)),
+      heat_(heat),
       b_(particles.radius),
       mass_(particles.mass),
       inverse_mass_(inverse_masses(particles)),
