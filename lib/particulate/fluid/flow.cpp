@@ -166,9 +166,10 @@ template <int Dim, class E, class V>
 void Flow<Dim, E, V>::gather(const Hats<Dim>& hats, std::vector<Stream>& streams) const {
   Columns columns{.first = row_of(0), .stride = stride_};
   for (int c = 0; c < kept<Flow>; ++c) {
-    if (c != 1 + Dim) columns.offset.push_back(c * padded_);  // nobody asks for the pressure
+    // Nobody asks for the pressure.
+    if (c != 1 + Dim) columns.offset[static_cast<std::size_t>(columns.count++)] = c * padded_;
   }
-  const std::size_t count = columns.offset.size();
+  const auto count = static_cast<std::size_t>(columns.count);
   gathered_.resize(streams.size() * count);
   hats.gather(columns, gathered_.data());
   for (std::size_t i = 0; i < streams.size(); ++i) {

@@ -137,7 +137,7 @@ Hats<Dim>::Hats(const Grid<Dim>& grid, const Boundaries<Dim>& boundaries, Eigen:
 template <int Dim>
 Columns Hats<Dim>::columns(const double* first, int count) const {
   Columns all{.first = first, .stride = {1, grid_.cells[0], Dim > 1 ? grid_.cells[0] * grid_.cells[1 % Dim] : 0}};
-  for (int c = 0; c < count; ++c) all.offset.push_back(c * grid_.size());
+  for (; all.count < count; ++all.count) all.offset[static_cast<std::size_t>(all.count)] = all.count * grid_.size();
   return all;
 }
 
@@ -195,14 +195,14 @@ bool Hats<Dim>::place(schemes::In r) {
 
 template <int Dim>
 void Hats<Dim>::gather(const Columns& from, double* out) const {
-  const auto columns = static_cast<Eigen::Index>(from.offset.size());
+  const std::span<const Eigen::Index> offsets(from.offset.data(), static_cast<std::size_t>(from.count));
 #pragma omp parallel for schedule(static) num_threads(threads_) if (threads_ > 1)
   for (Eigen::Index i = 0; i < size(); ++i) {
     const hats::Block block = hats::block_of<Dim>([&](int axis) { return run(i, axis); }, from.stride);
-    double* const sum = out + i * columns;
-    std::fill_n(sum, columns, 0.0);
+    double* const sum = out + i * from.count;
+    std::fill_n(sum, from.count, 0.0);
     hats::for_pieces(run(i, 0), [&](int cell, const double* x, int cells) {
-      hats::reads[static_cast<std::size_t>(cells - 1)](from.first + cell, from.offset, x, block, sum);
+      hats::reads[static_cast<std::size_t>(cells - 1)](from.first + cell, offsets, x, block, sum);
     });
   }
 }

@@ -17,7 +17,8 @@ namespace particulate::fluid {
 struct Columns {
   const double* first = nullptr;            ///< of the cell with the least numbers
   std::array<Eigen::Index, 3> stride = {};  ///< to the next cell in each direction; 1 along x
-  std::vector<Eigen::Index> offset = {};    ///< where each column begins, from `first`
+  std::array<Eigen::Index, 6> offset = {};  ///< where each column begins, from `first`
+  int count = 0;                            ///< how many there are, up to 6
 };
 
 /// Hats around places, for reading values of cells there and for spreading what acts there over cells.
@@ -65,7 +66,7 @@ class Hats {
   /// Columns without ghosts, as spread() writes them.
   ///
   /// @param first  of the first
-  /// @param count  how many
+  /// @param count  how many, 0 to 6
   /// @return what gather() reads
   Columns columns(const double* first, int count) const;
 

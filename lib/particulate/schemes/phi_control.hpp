@@ -37,8 +37,8 @@ struct PhiControl {
                         ///< it would miss TOL by a hair again [-]
   double shrink = 0.1;  ///< and at least so many times, in (0, retry): what is measured far from the fixed point is
                         ///< no measure of how much smaller it must be [-]
-  int spare = 0;  ///< contractions of the K_d that the next step is not to need, from 0 to K_d - 1: with none a step
-                  ///< that meets TOL makes the next one longer, until one does not [-]
+  int spare = 0;  ///< of the K_d, 0 to K_d - 1: a step grows only as far as the contractions without these would do.
+                  ///< With none a step that meets TOL makes the next one longer, until one does not [-]
   std::string_view controlling = {};  ///< set by judge(): the staggered field whose Phi_K was the smallest
 
   /// @return the step to try next [s]
