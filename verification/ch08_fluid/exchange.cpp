@@ -341,6 +341,58 @@ const Case places{
       check("three boxes back, across an edge", {4, 0, 5}, -3.0);
     }};
 
+// A stirred gas with two spheres at t = 0.5, seen from a frame in which it drifts by (1, -2) boxes.
+schemes::State drifted(const Vector<2>& drift, Eigen::Index n) {
+  const GasFlow<2> flow(Grid<2>{.cells = {n, n}}, {.state = {.R = 1.0}, .viscosity = {.mu = 0.02}, .c = 2.5, .K = 0.05},
+                        {});
+  std::vector<kinematics::Particle> pair;
+  for (const double side : {-1.0, 1.0}) {
+    pair.push_back({.position = {0.5 + 0.21 * side, 0.37, 0.0},
+                    .velocity = {drift[0], drift[1] + 0.5 * side, 0.0},
+                    .mass = 0.02,
+                    .radius = 0.05,
+                    .temperature = 1.5 + 0.2 * side,
+                    .heat_capacity = 2.0});
+  }
+  const Suspension both(flow, kinematics::particles(pair), {.w = 0.25}, HeatExchange{.h_c = 1.0, .a_v = 0.5});
+  schemes::State at = both.start([&](const Vector<2>& x) {
+    const double X = 2.0 * pi * x[0], Y = 2.0 * pi * x[1];
+    return Local<2>{.rho = 1.0 + 0.1 * std::sin(X) * std::cos(Y),
+                    .v = drift + 0.2 * Vector<2>(std::sin(X) * std::cos(Y), std::cos(X + Y)),
+                    .theta = 1.0 + 0.1 * std::cos(X)};
+  });
+  advance<RungeKutta4>(both, at, 0.5, 5 * n);
+  for (Eigen::Index i = 0; i < 2; ++i) {
+    schemes::velocities(at).row(i).head<2>() -= drift.transpose();
+    schemes::positions(at).row(i).head<2>() -= 0.5 * drift.transpose();
+  }
+  return at;
+}
+
+const Case frames{{.name = "spheres_in_a_drifting_frame",
+                   .claim = "what a drift adds to the motion and warmth of spheres falls with the square of the cells",
+                   .equation = "D 8.1.2",
+                   .reference = Reference::identity},
+                  [](Rows& rows) {
+                    std::vector<double> steps;
+                    std::array<std::vector<double>, 3> errors;
+                    for (const Eigen::Index n : {24, 30, 38, 48, 60}) {
+                      const schemes::State still = drifted({0.0, 0.0}, n), moving = drifted({2.0, -4.0}, n);
+                      steps.push_back(1.0 / static_cast<double>(n));
+                      errors[0].push_back((moving.r - still.r).norm());
+                      errors[1].push_back((moving.v - still.v).norm());
+                      errors[2].push_back((moving.y.tail(2) - still.y.tail(2)).norm());
+                    }
+                    const std::array names{"places", "velocities", "temperatures"};
+                    for (std::size_t k = 0; k < 3; ++k) {
+                      rows.order(names[k], {.nominal = 2.0,
+                                            .steps = steps,
+                                            .errors = errors[k],
+                                            .floor = 1e-13,
+                                            .because = "central differences, and hats of 6 to 15 cells"});
+                    }
+                  }};
+
 // --- What a particle sees of the disturbance that it makes itself, in a periodic box of n^3 cells.
 
 // A sphere that is pushed along x through a fluid of rho = mu = 1 in a box of 1 m, so slowly that it stays where it is.
