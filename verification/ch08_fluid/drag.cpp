@@ -308,6 +308,42 @@ const Case exchange{
           L::m * L::c_p * warm.theta_p + L::M * L::c_f * warm.theta_f);
     }};
 
+// A grain so light that nothing moves the gas around it.
+const Case step_share{
+    {.name = "share_of_a_sweep",
+     .claim = "whatever the number of sweeps and however long the step, a grain in a gas at rest warms by a_v of the "
+              "kinetic energy that it loses",
+     .equation = "R 8.1.2",
+     .reference = Reference::identity},
+    [](Rows& rows) {
+      const double m = 1e-9, c = 20.0, a_v = 0.3;
+      const GasFlow<2> gas(Grid<2>{.cells = {4, 4}},
+                           {.state = {.R = 7e-3}, .viscosity = {.mu = 1e-5}, .c = 1.75, .K = 0.1}, {});
+      const Suspension both(gas,
+                            kinematics::particles({{.position = {0.3, 0.4, 0.0},
+                                                    .velocity = {0.04, 0.0, 0.0},
+                                                    .mass = m,
+                                                    .radius = 1e-4,
+                                                    .temperature = 300.0,
+                                                    .heat_capacity = c}}),
+                            {.w = 0.3}, HeatExchange{.a_v = a_v});
+      const schemes::State start = both.start([](const Vector<2>&) { return Local<2>{.rho = 1.2, .theta = 300.0}; });
+      for (const int sweeps : {1, 2, 3}) {
+        schemes::State at = start;
+        schemes::Staggered scheme({{.name = "particles"},
+                                   {.name = "particle temperatures"},
+                                   {.name = "density"},
+                                   {.name = "momentum"},
+                                   {.name = "energy"}});
+        reach(both, at, 0.05, scheme, schemes::FixedSweeps{.step = 0.05, .sweeps = sweeps});
+        rows.compare(fmt::format("{} sweeps of a step as long as it relaxes: heat over what it loses", sweeps),
+                     {.expected = a_v,
+                      .computed = c * (at.y.tail(1)[0] - 300.0) / (0.5 * (0.04 * 0.04 - at.v[0] * at.v[0])),
+                      .tolerance = relative(1e-6),
+                      .because = "a grain of 1e-8 of a cell's mass, and a warming of 1e8 roundings of 300 K"});
+      }
+    }};
+
 // A Stokes stream at rest around spheres of 0.1 m that relax within a second.
 const Stream honey{.rho = 1.0, .mu = 1.0, .theta = 300.0};
 constexpr double honey_mass = 6.0 * pi * 0.05;
