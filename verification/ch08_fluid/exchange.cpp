@@ -18,8 +18,9 @@
 #include <particulate/schemes/fixed_sweeps.hpp>
 #include <particulate/schemes/phi_control.hpp>
 #include <particulate/schemes/runge_kutta.hpp>
-#include <particulate/schemes/staggering.hpp>
 #include <particulate/thermo/impact_heat.hpp>
+
+#include "suspended.hpp"
 
 namespace verification::exchange_ledgers {
 
@@ -65,15 +66,6 @@ std::vector<kinematics::Particle> spheres(bool inside = false) {
                     .heat_capacity = 1.0 + 0.3 * k});
   }
   return list;
-}
-
-template <class S>
-schemes::Staggered in_turn(const S& both, double TOL) {
-  std::vector<schemes::Field> fields{{.name = "particles", .TOL = TOL}};
-  if (S::has_temperatures) fields.push_back({.name = "particle temperatures", .TOL = TOL});
-  for (const char* name : {"density", "momentum", "energy"}) fields.push_back({.name = name, .TOL = TOL});
-  fields.resize(both.fields());
-  return schemes::Staggered(fields);
 }
 
 // What a run changes of what a suspension holds: of momentum over all mass times the speed of sound.
@@ -241,10 +233,8 @@ const Case radiation{
       const double t = 2.0, k = 0.8 * B * area / (m * c),
                    left = std::pow(std::pow(1500.0, -3) + 3.0 * k * t, -1.0 / 3.0);
       advance<RungeKutta4>(one, at, t, 400);
-      rows.compare("a sphere at rest: energy lost [J]", {.expected = m * c * (1500.0 - left),
-                                                         .computed = one.totals(still).energy - one.totals(at).energy,
-                                                         .tolerance = relative(1e-11),
-                                                         .because = "400 steps of order 4"});
+      match(rows, "a sphere at rest: energy lost [J]", m * c * (1500.0 - left),
+            one.totals(still).energy - one.totals(at).energy, 1e-11, "400 steps of order 4");
       const Suspension both(flow_of<3>(gas), kinematics::particles(spheres()), {},
                             HeatExchange{.h_c = 30.0, .emissivity = 0.8, .theta_s = 250.0, .a_v = 0.5});
       const schemes::State start = both.start(stirred<3>);
@@ -471,32 +461,27 @@ double Forced::by_sum() const {
   return 1.0 + xi() * sum;
 }
 
-const Case self{
-    {.name = "disturbance_of_its_own",
-     .claim = "the slip of a sphere that is pushed through a fluid is that of the lattice sum over the "
-              "scheme's symbols, and the correction takes 6 pi b/(g w) off",
-     .equation = "D 8.1.2",
-     .reference = Reference::closed_form},
-    [](Rows& rows) {
-      const auto row = [&](const std::string& what, double expected, double computed, double tolerance,
-                           const char* because) {
-        rows.compare(
-            what, {.expected = expected, .computed = computed, .tolerance = relative(tolerance), .because = because});
-      };
-      const auto check = [&](const std::string& what, Forced forced, double known, bool both = false) {
-        const double sum = forced.by_sum();
-        if (known > 0.0) row(what + ": lattice sum", known, sum, 5e-7, "the digits of the reference");
-        row(what + ": slip xi/F", sum, forced.run(), 1e-4, "sound that has decayed by exp(-8)");
-        forced.corrected = true;
-        const double off = 6.0 * pi * forced.radius / (13.9586 * forced.cells);
-        if (!both) return;
-        row(what + ": slip xi/F, corrected", sum - off, forced.run(), 1e-4, "the same");
-      };
-      check("on a cell's middle", {}, 2.142937, true);
-      check("a quarter off", {.offset = 0.25}, 1.501396);
-      check("on a corner of cells", {.offset = 0.5}, 1.376117);
-      check("a hat of 3.3 cells", {.cells = 3.3, .offset = 0.2}, 0.0, true);
-    }};
+const Case self{{.name = "disturbance_of_its_own",
+                 .claim = "the slip of a sphere that is pushed through a fluid is that of the lattice sum over the "
+                          "scheme's symbols, and the correction takes 6 pi b/(g w) off",
+                 .equation = "D 8.1.2",
+                 .reference = Reference::closed_form},
+                [](Rows& rows) {
+                  const auto check = [&](const std::string& what, Forced forced, double known, bool both = false) {
+                    const double sum = forced.by_sum();
+                    if (known > 0.0)
+                      match(rows, what + ": lattice sum", known, sum, 5e-7, "the digits of the reference");
+                    match(rows, what + ": slip xi/F", sum, forced.run(), 1e-4, "sound that has decayed by exp(-8)");
+                    forced.corrected = true;
+                    const double off = 6.0 * pi * forced.radius / (13.9586 * forced.cells);
+                    if (!both) return;
+                    match(rows, what + ": slip xi/F, corrected", sum - off, forced.run(), 1e-4, "the same");
+                  };
+                  check("on a cell's middle", {}, 2.142937, true);
+                  check("a quarter off", {.offset = 0.25}, 1.501396);
+                  check("on a corner of cells", {.offset = 0.5}, 1.376117);
+                  check("a hat of 3.3 cells", {.cells = 3.3, .offset = 0.2}, 0.0, true);
+                }};
 
 const Case wide{{.name = "disturbance_of_a_wide_hat",
                  .claim = "the lattice sum of wide hats comes to 1 + 1.3504 b/w and what the other images add",
@@ -509,11 +494,10 @@ const Case wide{{.name = "disturbance_of_a_wide_hat",
                     return Forced{.n = static_cast<Eigen::Index>(n), .cells = w * n, .radius = b * n}.by_sum() - 1.0;
                   };
                   const double coarse = added(48.0), fine = added(72.0);
-                  rows.compare("what is added to the slip, extrapolated from 6 and 9 cells a half-width",
-                               {.expected = 1.3504 * b / w - 2.837297 * b + 2.0 * pi / 3.0 * b * w * w,
-                                .computed = fine + (fine - coarse) / (1.5 * 1.5 - 1.0),
-                                .tolerance = relative(5e-4),
-                                .because = "the fourth power of w over the box, and of a cell over w: 2e-4 each"});
+                  match(rows, "what is added to the slip, extrapolated from 6 and 9 cells a half-width",
+                        1.3504 * b / w - 2.837297 * b + 2.0 * pi / 3.0 * b * w * w,
+                        fine + (fine - coarse) / (1.5 * 1.5 - 1.0), 5e-4,
+                        "the fourth power of w over the box, and of a cell over w: 2e-4 each");
                 }};
 
 }  // namespace verification::exchange_ledgers
