@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,9 @@ inline void match(Rows& rows, const std::string& what, double expected, double c
   rows.compare(what,
                {.expected = expected, .computed = computed, .tolerance = relative(tolerance), .because = because});
 }
+
+/// @return the larger of two errors, and no number if one of them is none
+inline double worse(double x, double y) { return std::isnan(x) || y <= x ? x : y; }
 
 /// @return the staggering of a suspension: its fields in their order, each to TOL
 template <class S>
