@@ -158,6 +158,13 @@ BOOST_AUTO_TEST_CASE(keeps_its_particles) {
   BOOST_TEST(close(scene.particles().mass, two_particles().mass, {}));
 }
 
+BOOST_AUTO_TEST_CASE(shows_each_of_its_laws) {
+  const Scene scene(two_particles(), Space{}, monograph, Weight{2.0}, Drag{0.25});
+  BOOST_TEST((scene.law<Weight>().g == 2.0 && scene.law<Drag>().c == 0.25));
+  BOOST_TEST(&scene.law<NearField>() == &scene.law<NearField>());
+  BOOST_TEST(scene.law<NearField>().alpha2 == 0.5);
+}
+
 // Weight 2 m (1 + t) at t = 0 is 4 and 6; along x the near field's 2.25.
 BOOST_AUTO_TEST_CASE(adds_the_forces_of_its_laws) {
   const Scene scene(two_particles(), Space{}, monograph, Weight{2.0});

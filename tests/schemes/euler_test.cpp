@@ -41,6 +41,14 @@ BOOST_AUTO_TEST_CASE(multiplies_a_decaying_value_by_one_minus_its_rate) {
   BOOST_TEST(to.t == 0.25);
 }
 
+// 1 - c Dt: at c Dt = 2 it turns for ever.
+BOOST_AUTO_TEST_CASE(spans_twice_the_time_of_what_decays_and_relaxes_and_minds_no_load) {
+  using Kind = TimeScale::Kind;
+  BOOST_TEST(std::abs(predicted(ForwardEuler(), Decay{}, one(1.0), 2.0 / 3.0).y[0] + 1.0) < 1e-15);
+  BOOST_TEST((ForwardEuler::spans(Kind::decays, 0) == 2.0 && ForwardEuler::spans(Kind::relaxes, 0) == 2.0));
+  BOOST_TEST(ForwardEuler::spans(Kind::loads, 0) == infinity);
+}
+
 BOOST_AUTO_TEST_CASE(says_that_there_is_no_value) {
   const Decay decay;
   const Damped damped;

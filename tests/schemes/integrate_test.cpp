@@ -684,6 +684,32 @@ BOOST_AUTO_TEST_CASE(are_shared_by_waves_and_decays) {
   BOOST_TEST(run(problem, state, 2.0, RungeKutta4(), FixedStep{.step = 0.3}).workable_step == d, tolerance(1e-14));
 }
 
+// The same, of a body that weighs on what it relaxes to. What relaxes bounds Runge-Kutta alone, and shares nothing: its
+// scheme has no part for it. Loads bound what bears them, and share with waves as decays do.
+struct Loaded : Turning {
+  std::vector<TimeScale> step_limits(const State&) const {
+    return {{.name = "sound", .kind = TimeScale::Kind::waves, .seconds = 0.1},
+            {.name = "drag", .kind = TimeScale::Kind::relaxes, .seconds = 1e-3},
+            {.name = "weight", .kind = TimeScale::Kind::loads, .seconds = 0.1}};
+  }
+};
+struct Sweeping : RungeKutta4 {
+  static constexpr bool adds_limits = true;
+  static double spans(TimeScale::Kind kind, int) { return kind == TimeScale::Kind::relaxes ? infinity : 1.0; }
+};
+
+// Dt^2/w^2 + Dt/d = 1 with w = d = 0.1: (sqrt(5) - 1)/2 of it.
+BOOST_AUTO_TEST_CASE(count_loads_with_what_decays_and_what_relaxes_where_it_is_minded) {
+  const Loaded problem;
+  State state{.y = Eigen::Vector2d(1.0, 0.0)};
+  const Outcome swept = run(problem, state, 1.0, Sweeping(), FixedStep{.step = 0.25});
+  BOOST_TEST(swept.workable_step == 0.05 * (std::sqrt(5.0) - 1.0), tolerance(1e-14));
+  BOOST_TEST(contains(swept.reason, "time scale of weight, which is 0.1 s (with sound beside it, 0.1 s, fewer)"));
+  const Outcome stepped = run(problem, state, 1.0, RungeKutta4(), FixedStep{.step = 0.25});
+  BOOST_TEST(stepped.workable_step == 2.785293563405282e-3, tolerance(1e-14));
+  BOOST_TEST(contains(stepped.reason, "time scale of drag, which is 0.001 s, but"));
+}
+
 BOOST_AUTO_TEST_CASE(let_no_forward_euler_step_advance_a_wave) {
   State state{.y = Eigen::Vector2d(1.0, 0.0)};
   BOOST_TEST(run(Turning{}, state, 1.0, ForwardEuler(), FixedStep{.step = 1e-6}).workable_step == 0.0);

@@ -33,6 +33,27 @@ BOOST_AUTO_TEST_CASE(grows_by_phi_after_a_success) {
   BOOST_TEST(now.dt() == 0.5 * std::sqrt(0.1 / 0.08), tolerance(1e-14));
 }
 
+// Of K_d = 4 the next step is to need 2, so two that contract by `factor` ask for the step that K_d = 2 does, sqrt(0.1/
+// factor). None of the sweeps is taken away, and a step that needs all four is kept, not made longer: by 4 it would
+// grow.
+BOOST_AUTO_TEST_CASE(aims_at_fewer_contractions_than_it_allows_where_some_are_to_spare) {
+  PhiControl now = control();
+  now.K_d = 4, now.spare = 2;
+  BOOST_TEST((now.goes_on({.w_K = 2e-4, .K = 3}) && !now.goes_on({.w_K = 2e-4, .K = 4})));
+  BOOST_TEST(now.judge({.dt = 0.5, .iteration = contracting(0.08)}).accepted);
+  BOOST_TEST(now.dt() == 0.5 * std::sqrt(0.1 / 0.08), tolerance(1e-14));
+  const Iteration all_four{.w_0 = 1e-2, .w_K = 0.5e-4, .rate = 0.3, .K = 4, .p = 2};
+  for (const int spare : {2, 0}) {
+    now.step = 0.5, now.spare = spare;
+    BOOST_TEST(now.judge({.dt = 0.5, .iteration = all_four}).accepted);
+    BOOST_TEST(now.dt() == (spare == 2 ? 0.5 : 0.5 * std::pow(2.0, 0.125)), tolerance(1e-14));
+  }
+  // A step that fails is made again for two: w_4 = 4e-4 asks for (1e-2)^(1/4)/(4e-2)^(1/8) of it.
+  now.step = 0.5, now.spare = 2;
+  BOOST_TEST(!now.judge({.dt = 0.5, .iteration = {.w_0 = 1e-2, .w_K = 4e-4, .rate = 0.45, .K = 4, .p = 2}}).accepted);
+  BOOST_TEST(now.dt() == 0.5 * std::pow(1e-2, 0.25) / std::pow(4e-2, 0.125), tolerance(1e-14));
+}
+
 BOOST_AUTO_TEST_CASE(shrinks_by_phi_after_a_failure_and_asks_for_the_step_again) {
   PhiControl now = control();
   const Decision refused = now.judge({.dt = 0.5, .iteration = contracting(0.4)});
@@ -126,6 +147,8 @@ BOOST_AUTO_TEST_CASE(names_the_setting_and_what_was_given) {
   refuses([](PhiControl& c) { c.TOL = 1e-16; }, "TOL must be finite and at least 2.22e-16, below which is rounding");
   refuses([](PhiControl& c) { c.TOL = not_a_number; }, "got nan");
   refuses([](PhiControl& c) { c.K_d = 0; }, "K_d must be at least 1, got 0");
+  refuses([](PhiControl& c) { c.spare = 2; }, "spare must lie between 0 and K_d - 1, got 2");
+  refuses([](PhiControl& c) { c.spare = -1; }, "spare must lie between 0 and K_d - 1, got -1");
   refuses([](PhiControl& c) { c.limit = 0.0; }, "limit must be positive and finite, in s, got 0");
   refuses([](PhiControl& c) { c.step = 1.0; }, "step must be positive and at most limit, or left out, in s, got 1");
   refuses([](PhiControl& c) { c.limit = infinity; }, "limit must be positive and finite, in s, got inf");

@@ -290,6 +290,16 @@ BOOST_AUTO_TEST_CASE(spans_no_oscillation_below_one_half) {
   spans_exactly(0.0, TimeScale::Kind::decays, FixedStep{.step = 1.0, .TOL = 1e-6});
 }
 
+BOOST_AUTO_TEST_CASE(spans_what_relaxes_as_what_decays_and_minds_no_load) {
+  for (const double phi : {1.0, 0.5, 0.1}) {
+    const PhiFamily<> scheme(phi);
+    for (const int sweeps : {0, 1, 2, 3}) {
+      BOOST_TEST(scheme.spans(TimeScale::Kind::relaxes, sweeps) == scheme.spans(TimeScale::Kind::decays, sweeps));
+      BOOST_TEST(scheme.spans(TimeScale::Kind::loads, sweeps) == infinity);
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(refuses_a_weight_that_is_none) {
   CHECK_REFUSED(PhiFamily<>(1.5), "phi must be in [0, 1], got 1.5");
   CHECK_REFUSED(PhiFamily<>(not_a_number), "got nan");

@@ -175,6 +175,9 @@ BOOST_AUTO_TEST_CASE(spans_of_an_oscillation_and_of_a_decay_what_it_can_and_no_m
   BOOST_TEST(amplitude(Spring{}, displaced(), TimeScale::Kind::oscillates, 1.0 + 1e-3) > 1e4);
   BOOST_TEST(amplitude(Decay{}, one(), TimeScale::Kind::decays, 1.0 - 1e-3) < 1e-3);
   BOOST_TEST(amplitude(Decay{}, one(), TimeScale::Kind::decays, 1.0 + 1e-3) > 1e3);
+  using Kind = TimeScale::Kind;
+  BOOST_TEST(RungeKutta4::spans(Kind::relaxes, 0) == RungeKutta4::spans(Kind::decays, 0));
+  BOOST_TEST(std::isinf(RungeKutta4::spans(Kind::loads, 0)));  // of sweeps, which it does not make
 }
 
 BOOST_AUTO_TEST_SUITE_END()

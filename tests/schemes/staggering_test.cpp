@@ -66,13 +66,26 @@ struct Wave {
   double field_size(std::size_t k, const State& at) const { return k == 0 ? 0.0 : at.y.norm(); }
 };
 
+// A body of the weight Lambda against the fluid around it, which it relaxes to in a second by backward Euler, and which
+// then gets what it lost.
+struct Body {
+  double Lambda;
+  std::size_t fields() const { return 2; }
+  Part part(std::size_t k) const { return {.first = static_cast<Eigen::Index>(k), .size = 1}; }
+  bool solve(std::size_t k, const State& from, double dt, const State& seen, State& to) const {
+    if (k == 0) to.y[0] = (from.y[0] + dt * seen.y[1]) / (1.0 + dt);
+    if (k == 1) to.y[1] = from.y[1] - Lambda * (seen.y[0] - from.y[0]);
+    return true;
+  }
+};
+
 // The larger of both numbers after so many steps.
-double after_steps(Staggered scheme, double dt, int sweeps, int steps) {
-  const Wave wave;
-  State state{.y = Eigen::Vector2d(1.0, 1.0)}, to;
+template <class P>
+double after_steps(const P& fields, Staggered scheme, double dt, int sweeps, int steps) {
+  State state{.y = Eigen::Vector2d(1.0, 1.0 - 1e-3)}, to;
   for (int step = 0; step < steps; ++step) {
-    scheme.predict(Problem(wave), state, dt, to);
-    for (int sweep = 0; sweep < sweeps; ++sweep) scheme.sweep(Problem(wave), state, dt, to);
+    scheme.predict(Problem(fields), state, dt, to);
+    for (int sweep = 0; sweep < sweeps; ++sweep) scheme.sweep(Problem(fields), state, dt, to);
     state = to;
   }
   return state.y.cwiseAbs().maxCoeff();
@@ -167,11 +180,27 @@ BOOST_AUTO_TEST_CASE(spans_of_a_wave_what_its_sweeps_allow_and_no_more) {
   BOOST_TEST((newest.spans(Kind::waves, 0) == 1.0 && newest.spans(Kind::decays, 0) == 1.0));
   BOOST_TEST((previous.spans(Kind::waves, 1) == 0.0 && previous.spans(Kind::waves, 2) == 1.0));
   BOOST_TEST((newest.spans(Kind::drifts, 1) == 1.0 && newest.spans(Kind::drifts, 2) == infinity));
-  BOOST_TEST(after_steps(newest, 2.0 - 1e-3, 1, 3000) < 100.0);
-  BOOST_TEST(after_steps(newest, 2.0 + 1e-3, 1, 3000) > 1e6);
-  BOOST_TEST(after_steps(newest, 1.0 - 1e-3, 2, 3000) < 1.0);
-  BOOST_TEST(after_steps(newest, 1.0 + 1e-3, 2, 3000) > 100.0);
-  BOOST_TEST(after_steps(previous, 0.1, 1, 3000) > 1e5);
+  BOOST_TEST(after_steps(Wave{}, newest, 2.0 - 1e-3, 1, 3000) < 100.0);
+  BOOST_TEST(after_steps(Wave{}, newest, 2.0 + 1e-3, 1, 3000) > 1e6);
+  BOOST_TEST(after_steps(Wave{}, newest, 1.0 - 1e-3, 2, 3000) < 1.0);
+  BOOST_TEST(after_steps(Wave{}, newest, 1.0 + 1e-3, 2, 3000) > 100.0);
+  BOOST_TEST(after_steps(Wave{}, previous, 0.1, 1, 3000) > 1e5);
+}
+
+// The slip of a Body is multiplied by 1 - (1 + Lambda) a/(1 + a) in a step of one sweep, with a = Dt over a second;
+// more sweeps contract by Lambda a/(1 + a). So a may be 2 and 1 over Lambda - 1, and a lighter body bears any step.
+BOOST_AUTO_TEST_CASE(spans_of_a_load_what_its_sweeps_allow_and_of_what_relaxes_anything) {
+  const Staggered newest(fields());
+  using Kind = TimeScale::Kind;
+  const Body heavy{4.0}, light{0.9};
+  for (const int sweeps : {1, 2}) {
+    BOOST_TEST(newest.spans(Kind::relaxes, sweeps) == infinity);
+    const double limit = newest.spans(Kind::loads, sweeps) / 3.0;
+    BOOST_TEST(after_steps(heavy, newest, (1.0 - 1e-3) * limit, sweeps, 10000) < 1.5);
+    BOOST_TEST(after_steps(heavy, newest, (1.0 + 1e-3) * limit, sweeps, 30000) > 1e3);
+    BOOST_TEST(after_steps(light, newest, 1e6, sweeps, 3000) < 1.5);
+  }
+  BOOST_TEST((newest.spans(Kind::relaxes, 0) == infinity && newest.spans(Kind::loads, 0) == 1.0));
 }
 
 // One rounding of the whole, over the displacement of the first sweep: eps (1 + 0.1)/0.1 in units of 1e-6.

@@ -104,6 +104,14 @@ BOOST_AUTO_TEST_CASE(is_stable_under_drag_up_to_twice_its_time) {
   }
 }
 
+// Values take a step of forward Euler, which no step makes stable on a wave; what drifts it bears as that does.
+BOOST_AUTO_TEST_CASE(spans_no_wave_of_values_and_minds_no_load) {
+  using Kind = TimeScale::Kind;
+  BOOST_TEST((SymplecticEuler::spans(Kind::waves, 0) == 0.0 && SymplecticEuler::spans(Kind::drifts, 0) == 1.0));
+  BOOST_TEST((SymplecticEuler::spans(Kind::decays, 0) == 2.0 && SymplecticEuler::spans(Kind::relaxes, 0) == 2.0));
+  BOOST_TEST(SymplecticEuler::spans(Kind::loads, 0) == std::numeric_limits<double>::infinity());
+}
+
 BOOST_AUTO_TEST_CASE(has_dense_output_that_is_a_shorter_step) {
   const State from = body(1.0, 4.0, 1.0);
   SymplecticEuler scheme;
