@@ -158,7 +158,7 @@ BOOST_AUTO_TEST_CASE(refuse_what_is_no_force_no_sphere_and_no_fluid) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-BOOST_AUTO_TEST_SUITE(validate_)
+BOOST_AUTO_TEST_SUITE(validate_drag)
 
 BOOST_AUTO_TEST_CASE(refuses_a_uniform_stream_that_is_none) {
   const auto refuses = [](const Stream& bad, const char* words) {

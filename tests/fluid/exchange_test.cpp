@@ -45,7 +45,7 @@ Moved moved(Exchange& with, const Vector3d& from, const Vector3d& force, double 
   return {v, r};
 }
 
-BOOST_AUTO_TEST_SUITE(rates)
+BOOST_AUTO_TEST_SUITE(Exchange_rates)
 
 // A slip of (1, -2, 0): 1 kg/s of it is the force. Its power on the sphere is 0 * 1 + 2 * (-2), it dissipates 5 W, of
 // which a fifth goes to the sphere beside 12 (350 - 400) W of convection and B eps a_s (400^4 - 300^4) of radiation.
@@ -78,7 +78,7 @@ BOOST_AUTO_TEST_CASE(have_no_value_where_something_is_not_finite) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-BOOST_AUTO_TEST_SUITE(move)
+BOOST_AUTO_TEST_SUITE(Exchange_move)
 
 // dt xi/m = 1: half of the slip of 1 m/s is left, J = 2 * 1 * 1/2. The work, J times the mean velocity of 1/4, is the
 // kinetic energy that 2 kg get: 1/2 2 (1/2)^2. r = r_0 + 2 * 1/2.
@@ -132,7 +132,7 @@ BOOST_AUTO_TEST_CASE(feels_the_slip_without_its_own_disturbance_where_that_is_co
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-BOOST_AUTO_TEST_SUITE(roots)
+BOOST_AUTO_TEST_SUITE(Exchange_roots)
 
 // With k = dt rho pi b^2/(2 m) the slip u obeys u + k C_D u^2 = coming. At the jump, u_c = 3e5 mu/(2 b rho), the left
 // side falls from u_c + 0.5 k u_c^2 to u_c + 0.080343 k u_c^2: between, at 0.3 of it, there is a root on each side.
@@ -157,7 +157,7 @@ BOOST_AUTO_TEST_CASE(are_counted_where_there_are_two_by_the_side_that_was_taken)
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-BOOST_AUTO_TEST_SUITE(warm)
+BOOST_AUTO_TEST_SUITE(Exchange_warm)
 
 VectorXd warmed(Exchange& with, double from, double other, double dt, double iterate) {
   VectorXd theta = VectorXd::Constant(1, iterate);
@@ -207,7 +207,7 @@ BOOST_AUTO_TEST_CASE(has_no_value_below_0_K) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-BOOST_AUTO_TEST_SUITE(step_rates)
+BOOST_AUTO_TEST_SUITE(Exchange_step_rates)
 
 // xi = 1 kg/s over 2 kg; 12 W/K and 4 B eps a_s 400^3 over 6 J/K.
 BOOST_AUTO_TEST_CASE(are_those_of_drag_and_of_heat) {

@@ -65,7 +65,7 @@ Boundaries<Dim> open_but_along_x() {
   return faces;
 }
 
-BOOST_AUTO_TEST_SUITE(place)
+BOOST_AUTO_TEST_SUITE(Hats_place)
 
 // The middles of cells lie at 0.5, 1.5, ...: of those within 2 m of 3.25 the distances are 1.75 0.75 0.25 1.25, the
 // hats 1/8 5/8 7/8 3/8, their sum 2.
@@ -104,11 +104,13 @@ BOOST_AUTO_TEST_CASE(tells_what_is_outside_and_what_is_no_number) {
     BOOST_TEST(!open.contains({x, 0.0, 0.0}));
   }
   BOOST_TEST((closed.place(Vector3d(-3.0, 1e300, 0.0)) && closed.contains({17.0, 0.0, -1e300})));
+  // Cells beyond 4e15 of them are no numbers that a double tells apart.
+  for (const double x : {4.1e15, 1.7e308, -1.7e308}) BOOST_TEST(!closed.place(Vector3d(x, 0.0, 0.0)));
   BOOST_TEST((!closed.place(Vector3d(infinity, 0.0, 0.0)) && !closed.place(Vector3d(1.0, not_a_number, 0.0))));
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-BOOST_AUTO_TEST_SUITE(weights_)
+BOOST_AUTO_TEST_SUITE(Hats_weights)
 
 template <int Dim>
 void sum_to_one(const Grid<Dim>& grid, double w) {
@@ -166,7 +168,7 @@ BOOST_AUTO_TEST_CASE(in_two_and_three_directions_are_products) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-BOOST_AUTO_TEST_SUITE(gather_and_spread)
+BOOST_AUTO_TEST_SUITE(Hats_gather_and_spread)
 
 // sum_i g_i sum_q w_iq f_q both ways, with half-widths of their own, of two columns, a scale, and on top of what is
 // there.
@@ -226,7 +228,7 @@ BOOST_AUTO_TEST_CASE(of_no_place_are_nothing) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-BOOST_AUTO_TEST_SUITE(refusals)
+BOOST_AUTO_TEST_SUITE(Hats_refusals)
 
 BOOST_AUTO_TEST_CASE(name_the_place_the_bounds_and_what_to_do) {
   const auto refuses = [](double w, const char* words) {

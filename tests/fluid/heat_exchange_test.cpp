@@ -106,7 +106,7 @@ BOOST_AUTO_TEST_CASE(are_those_of_the_heat_flow) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-BOOST_AUTO_TEST_SUITE(validate_)
+BOOST_AUTO_TEST_SUITE(validate_heat_exchange)
 
 BOOST_AUTO_TEST_CASE(names_the_constant_what_must_hold_and_what_was_given) {
   const auto refuses = [](const HeatExchange& bad, const char* words) {

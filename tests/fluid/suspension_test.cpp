@@ -99,7 +99,7 @@ void are_close(const Totals& a, const Totals& b, double of_energy = 1e-13) {
 }
 bool same(const State& a, const State& b) { return a.r == b.r && a.v == b.v && a.y == b.y; }
 
-BOOST_AUTO_TEST_SUITE(refusals)
+BOOST_AUTO_TEST_SUITE(Suspension_refusals)
 
 BOOST_AUTO_TEST_CASE(of_what_does_not_fit_the_box_say_what_to_do) {
   const auto in = [](const Boundaries<3>& faces, const Particle& particle, Spreading spreading = {.w = 0.5}) {
@@ -191,7 +191,7 @@ BOOST_AUTO_TEST_CASE(of_states_of_another_size_and_of_fields_out_of_order) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-BOOST_AUTO_TEST_SUITE(fields)
+BOOST_AUTO_TEST_SUITE(Suspension_fields)
 
 BOOST_AUTO_TEST_CASE(are_particles_their_temperatures_and_the_fluid) {
   const Hot hot(ring<3>(), three(), {}, heat);
@@ -229,7 +229,7 @@ BOOST_AUTO_TEST_CASE(have_totals_distances_and_sizes) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-BOOST_AUTO_TEST_SUITE(rates)
+BOOST_AUTO_TEST_SUITE(Suspension_rates)
 
 // Particles as in a scene in the same flow, standing still; the fluid as by itself, less what they get, by hats of
 // one's own.
@@ -284,7 +284,7 @@ BOOST_AUTO_TEST_CASE(have_no_drag_across_the_directions_of_the_fluid) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-BOOST_AUTO_TEST_SUITE(runs)
+BOOST_AUTO_TEST_SUITE(Suspension_runs)
 
 // To rounding whatever the number of sweeps. Runge-Kutta keeps what is linear in the state, which the kinetic energy of
 // the particles is not: that holds at its order.
@@ -410,7 +410,7 @@ BOOST_AUTO_TEST_CASE(end_where_a_particle_leaves_and_leave_the_state_before) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-BOOST_AUTO_TEST_SUITE(impacts)
+BOOST_AUTO_TEST_SUITE(Suspension_jump)
 
 // Two that meet head on in a fast stream: the drag on both, 6 pi mu b of a slip of 5 and 7 m/s and more, is among the
 // forces of their impact as it is in a scene in the same flow.
@@ -465,7 +465,7 @@ BOOST_AUTO_TEST_CASE(with_walls_keep_particles_in_and_give_all_their_energy_to_h
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-BOOST_AUTO_TEST_SUITE(step_limits)
+BOOST_AUTO_TEST_SUITE(Suspension_step_limits)
 
 using Kind = schemes::TimeScale::Kind;
 
