@@ -518,6 +518,23 @@ BOOST_AUTO_TEST_CASE(is_the_fluid_around_them_and_its_reynolds_number) {
   CHECK_REFUSED(suspension.streams(at), "cell 7 has nan kg/m^3");
 }
 
+// At u_c = 3e5 mu/(2 b rho) = 0.75 m/s C_D jumps. With dt rho pi b^2/(2 m) u_c = 4 a slip of 2.2 u_c leads to two roots
+// of backward Euler, and to that on whose side the sweeps begin.
+BOOST_AUTO_TEST_CASE(tells_which_root_its_drag_took_beside_the_jump) {
+  constexpr double u_c = 0.75, mass = 1e3, dt = 8.0 * mass / (u_c * 1e5 * pi * 0.01);
+  const Plain suspension(ring<3>(), kinematics::particles({sphere({1.0, 1.0, 1.0}, {-2.2 * u_c, 0.0, 0.0}, mass)}));
+  const State start = suspension.start([](const Vector<3>&) { return Local<3>{.rho = 1e5, .theta = 1.0}; });
+  for (const double slip : {0.9 * u_c, 1.2 * u_c}) {
+    State to = start;
+    to.v[0] = -slip;
+    for (int sweep = 0; sweep < 100; ++sweep) BOOST_TEST_REQUIRE(suspension.solve(0, start, dt, to, to));
+    to.t += dt;
+    const bool slow = slip < u_c;
+    BOOST_TEST((suspension.roots_taken().slow == (slow ? 1 : 0) && suspension.roots_taken().fast == (slow ? 0 : 1)));
+    BOOST_TEST((suspension.reynolds(to)[0] < drag_crisis) == slow);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(is_said_where_it_has_no_value) {
   const Hot suspension(GasFlow<3>(box<3>(), gas, closed<3>()), kinematics::particles({sphere({1.0, 1.0, 1.0})}), {},
                        heat);
