@@ -66,8 +66,10 @@ void refuse_viscosity(double mu) {
 
 std::string outside(Eigen::Index particle, const Eigen::Vector3d& place) {
   return fmt::format(
-      "particle {} at ({:.6g}, {:.6g}, {:.6g}) m is outside of the box, which does not begin again there: end the run "
-      "where it leaves, take a larger box, or keep it in by a contact with the box's walls",
+      "particle {} at ({:.6g}, {:.6g}, {:.6g}) m is outside of the box, which does not begin again there, or too far "
+      "away to tell its cell: end the run where it leaves, take a larger box, or keep it in by a contact with the "
+      "box's "
+      "walls",
       particle, place.x(), place.y(), place.z());
 }
 
