@@ -55,16 +55,7 @@ struct Known {
         reference::integrate(suspension, other, t_end, reference::Adams{.relative = 1e-14, .absolute = 1e-14}));
     return error(other);
   }
-  double error(const schemes::State& at) const {
-    const auto apart = [](const auto& one, const auto& other) {
-      return (one - other).template lpNorm<Eigen::Infinity>() / other.template lpNorm<Eigen::Infinity>();
-    };
-    double worst = std::max(apart(at.r, end.r), apart(at.v, end.v));
-    for (const schemes::Range& range : suspension.ranges()) {
-      worst = std::max(worst, apart(at.y.segment(range.first, range.size), end.y.segment(range.first, range.size)));
-    }
-    return worst;
-  }
+  double error(const schemes::State& at) const { return suspensions::error(suspension, at, end); }
   template <class Scheme, class Control>
   void order(Rows& rows, const std::string& name, double nominal, int coarsest, double floor, Scheme scheme,
              Control control) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -20,6 +21,21 @@ using namespace particulate;
 template <class S>
 schemes::Staggered in_turn(const S& suspension, double TOL = 1e-6) {
   return schemes::Staggered(std::vector<schemes::Field>(suspension.fields(), {.name = "field", .TOL = TOL, .p = 2}));
+}
+
+/// The largest error of places, velocities and each kind of values, in units of the largest of its kind.
+///
+/// @param suspension  any @param at a state @param truth the state that it should be @return error [-]
+template <class S>
+double error(const S& suspension, const schemes::State& at, const schemes::State& truth) {
+  const auto apart = [](const auto& one, const auto& other) {
+    return (one - other).template lpNorm<Eigen::Infinity>() / other.template lpNorm<Eigen::Infinity>();
+  };
+  double worst = std::max(apart(at.r, truth.r), apart(at.v, truth.v));
+  for (const schemes::Range& range : suspension.ranges()) {
+    worst = std::max(worst, apart(at.y.segment(range.first, range.size), truth.y.segment(range.first, range.size)));
+  }
+  return worst;
 }
 
 /// A cube of a liquid at rest, 1 m wide and periodic, in which sound has 10 m/s, and in it the cloud of chapter 4 at
