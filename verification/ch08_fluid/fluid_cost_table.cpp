@@ -30,9 +30,8 @@ constexpr std::array features{
 
 const Case fluid_cost{
     {.name = "fluid_cost",
-     .claim = "what a flow or a suspension leaves out costs nothing, what it has but does not use little, and no rate "
-              "asks for "
-              "memory but to find neighbours",
+     .claim = "what a flow or a suspension leaves out costs nothing, what it has but does not use little, and only "
+              "near fields ask for memory",
      .equation = "R 8.2",
      .reference = Reference::independent_method},
     [](Rows& rows) {
