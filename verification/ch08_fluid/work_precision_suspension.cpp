@@ -87,7 +87,7 @@ Competitor adaptive(const std::string& name, const Race& race, double TOL, bool 
 template <int stages>
 Competitor gauss(const Race& race, double tightest) {
   const double leg = race.outputs.front();
-  return competitor(fmt::format("Gauss {}", stages), race, tolerances(tightest, 1e-2),
+  return competitor(fmt::format("Gauss {}", stages), race, tolerances(tightest, 1e-3),
                     under(schemes::Collocation<schemes::Gauss<stages>>(), [=](double TOL) {
                       return schemes::ErrorControl{
                           .TOL = TOL, .sweep_TOL = 0.1 * TOL, .step = 0.01 * leg, .limit = leg};
@@ -97,7 +97,7 @@ Competitor gauss(const Race& race, double tightest) {
 std::vector<Competitor> all_of(const Race& race, bool quick) {
   const double leg = race.outputs.front(), tightest = quick ? 1e-4 : 1e-6;
   const auto one_sweep = [](double step) { return schemes::FixedSweeps{.step = step, .sweeps = 1}; };
-  return {competitor("RK4", race, step_sizes(leg, {8, 2.0, quick ? 2 : 4}), at_fixed_step<schemes::RungeKutta4>()),
+  return {competitor("RK4", race, step_sizes(leg, {2, 2.0, quick ? 3 : 6}), at_fixed_step<schemes::RungeKutta4>()),
           with_slope(1.0, sweeping("one sweep", race, step_sizes(leg, {16, 2.0, quick ? 4 : 5}), 1.0, one_sweep)),
           adaptive("staggering", race, 1e-6, quick),
           tuned(adaptive("staggering, TOL 1e-3", race, 1e-3, quick)),
@@ -139,7 +139,7 @@ const Case element{
     [](Rows& rows) {
       const suspensions::VolumeElement of(8, rows.quick() ? 40 : 100, smooth);
       const auto suspension = of.with(suspensions::near_field);
-      constexpr double t_end = 0.06;
+      const double t_end = rows.quick() ? 0.04 : 0.06;
       Race race{.problem = suspension,
                 .start = suspension.start(suspensions::still_water),
                 .outputs = {0.5 * t_end, t_end},
