@@ -98,7 +98,7 @@ std::vector<Competitor> all_of(const Race& race, bool quick) {
   const double leg = race.outputs.front(), tightest = quick ? 1e-4 : 1e-6;
   const auto one_sweep = [](double step) { return schemes::FixedSweeps{.step = step, .sweeps = 1}; };
   return {competitor("RK4", race, step_sizes(leg, {2, 2.0, quick ? 3 : 6}), at_fixed_step<schemes::RungeKutta4>()),
-          with_slope(1.0, sweeping("one sweep", race, step_sizes(leg, {16, 2.0, quick ? 4 : 5}), 1.0, one_sweep)),
+          with_slope(1.0, sweeping("one sweep", race, step_sizes(leg, {4, 2.0, quick ? 4 : 6}), 1.0, one_sweep)),
           adaptive("staggering", race, 1e-6, quick),
           tuned(adaptive("staggering, TOL 1e-3", race, 1e-3, quick)),
           gauss<3>(race, tightest),
