@@ -1,5 +1,5 @@
-// What a right-hand side of a flow costs by what it has, absent, idle and used, and beside the least that anyone can
-// write; instructions counted by valgrind, allocations by malloc.
+// What a right-hand side of a flow and of a suspension costs by what it has, absent, idle and used, and beside the
+// least that anyone can write; instructions counted by valgrind, allocations by malloc.
 
 #include <array>
 
@@ -21,11 +21,17 @@ constexpr std::array features{
     CountedFeature{"walls", "liquid", "walls_idle", "walls_used", 60.0,
                    "faces along x at which pressure does no work are made anew, two of 17 in a row"},
     CountedFeature{"variable viscosity", "liquid", "thinning_idle", "thinning_used", 100.0,
-                   "one exponential function a cell, and a mean a face"}};
+                   "one exponential function a cell, and a mean a face"},
+    CountedFeature{"particles, one in 64 cells", "liquid", "particles_none", "particles", 5.0, "nothing to be placed"},
+    CountedFeature{"heat that they exchange", "particles", "exchange_idle", "exchange", 5.0,
+                   "a flux of nothing, and a temperature a particle"},
+    CountedFeature{"near fields between them", "exchange", "near_idle", "near_used", 60.0,
+                   "neighbours that are looked for, of which none is near enough"}};
 
 const Case fluid_cost{
     {.name = "fluid_cost",
-     .claim = "what a flow leaves out costs nothing, what it has but does not use little, and no rate asks for memory",
+     .claim = "what a flow or a suspension leaves out costs nothing, what it has but does not use little, and only "
+              "near fields ask for memory",
      .equation = "R 8.2",
      .reference = Reference::independent_method},
     [](Rows& rows) {
@@ -45,9 +51,15 @@ const Case fluid_cost{
                     .computed = costs.of("inviscid").instructions / costs.of("bare").instructions,
                     .because = "one kernel serves fluids with viscosity and without"});
       double asked = 0.0;
-      for (const auto& [scene, cost] : costs.scenes) asked += scene.starts_with("made_") ? 0.0 : cost.allocations;
-      rows.none("allocations of right-hand sides and sweeps, all scenes", static_cast<long>(asked),
-                "all that they need is made with the flow");
+      for (const auto& [scene, cost] : costs.scenes) {
+        asked += scene.starts_with("made_") || scene.starts_with("near_") ? 0.0 : cost.allocations;
+      }
+      rows.none("allocations of right-hand sides and sweeps, all scenes without near fields", static_cast<long>(asked),
+                "all that they need is made with the flow and the suspension");
+      for (const char* scene : {"near_idle", "near_used"}) {
+        rows.at_most(fmt::format("allocations of a right-hand side, {}", scene),
+                     {.limit = 1.0, .computed = costs.of(scene).allocations, .because = "neighbours are looked for"});
+      }
       for (const char* fluid : {"barotropic", "liquid", "thinning"}) {
         rows.at_most(fmt::format("own scratch of 32 x 32 x 32 cells, {} [doubles a cell]", fluid),
                      {.limit = 10.0,

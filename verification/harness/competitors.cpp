@@ -70,8 +70,9 @@ struct Lane {
 Errors errors_of(const Race& race, const std::vector<schemes::State>& handed) {
   Errors errors;
   for (const schemes::State& state : handed) {
-    const schemes::State exact = race.truth(state.t);
-    errors.end = mixed_error(scaled(race, state, exact), scaled(race, exact, exact), 1.0);
+    const auto judged = [&](const schemes::State& all) { return race.seen ? race.seen(all) : all; };
+    const schemes::State exact = judged(race.truth(state.t));
+    errors.end = mixed_error(scaled(race, judged(state), exact), scaled(race, exact, exact), 1.0);
     errors.max = std::isnan(errors.end) ? errors.end : std::max(errors.max, errors.end);
   }
   return errors;

@@ -54,6 +54,8 @@ struct Race {
   std::function<schemes::State(double)> truth;  ///< the reference at a time
   double length = 1.0;                          ///< size of places, > 0 [m]
   double speed = 1.0;                           ///< size of velocities, > 0 [m/s]
+  /// What is judged of a state, of the truth as of all others, such as its means; empty: all of it.
+  std::function<schemes::State(const schemes::State&)> seen = {};
 };
 
 /// @param race    their task

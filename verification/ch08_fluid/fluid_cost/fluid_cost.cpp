@@ -1,5 +1,6 @@
-// Right-hand sides of a flow on 16 x 16 x 16 cells, for the table of what a feature costs: fluid_cost <rates>... asks
-// all of them so often. One kernel, for every processor, so that the counts are those of every machine.
+// Right-hand sides of a flow on 16 x 16 x 16 cells, and of particles in it, for the table of what a feature costs:
+// fluid_cost <rates>... asks all of them so often. One kernel, for every processor, so that the counts are those of
+// every machine.
 
 #include <array>
 #include <cmath>
@@ -7,7 +8,7 @@
 #include <vector>
 
 #include <harness/counted_program.hpp>
-#include <particulate/fluid/flow.hpp>
+#include <particulate/fluid/suspension.hpp>
 
 namespace {
 
@@ -59,6 +60,35 @@ CountedRun sweeps(long times) {
       if (!flow.solve(field, from, 1e-9, state, state)) throw std::runtime_error("there is no rate");
     }
     run.sum += state.y[k % state.y.size()];
+  }
+  return run;
+}
+
+// 64 particles on a lattice off the middles of cells, each of which reaches two cells.
+kinematics::Particles lattice(int along) {
+  std::vector<kinematics::Particle> all;
+  for (int i = 0; i < along * along * along; ++i) {
+    const Eigen::Vector3d node(i % along, i / along % along, i / (along * along));
+    all.push_back({.position = (node.array() + 0.3) / along,
+                   .velocity = {0.1, 0.2, -0.1},
+                   .mass = 1.0,
+                   .radius = 0.02,
+                   .temperature = 600.0,
+                   .heat_capacity = 1000.0});
+  }
+  return kinematics::particles(all);
+}
+
+// A right-hand side of particles and fluid.
+template <class Heat, class... Laws>
+CountedRun suspended(long times, int along, const Heat& heat, const Laws&... laws) {
+  const Suspension both(flow_of(cube, Fluid<Liquid>{}), lattice(along), Spreading{.w = 0.125}, heat, laws...);
+  const schemes::State state = both.start(start);
+  Eigen::VectorXd a(state.v.size()), dy(state.y.size());
+  CountedRun run{.particles = cube.size()};
+  for (long k = 0; k < times; ++k) {
+    if (!both.rates(0.0, state.r, state.v, state.y, a, dy)) throw std::runtime_error("there is no rate");
+    run.sum += dy[k % dy.size()];
   }
   return run;
 }
@@ -122,6 +152,15 @@ const Fluid<Barotropic> ideal{.viscosity = {.mu = 0.0}}, barotropic{};
 const Fluid<Liquid> still_liquid{.state = {.a_th = 0.0}, .K = 0.0}, liquid{};
 const Fluid<Liquid, Thinning> same_everywhere{.viscosity = {.c_mu = 0.0}}, thinning{};
 
+const HeatExchange no_heat{}, heated{.h_c = 100.0, .emissivity = 1.0, .a_v = 0.5};
+const laws::NearField used{
+    .alpha1 = 0.5, .alpha2 = 0.1, .kernel = laws::Kernel::baseline, .cutoff = 0.45, .taper = 0.15};
+laws::NearField idle() {
+  laws::NearField none = used;
+  none.alpha1 = 0.0, none.cutoff = 0.2, none.taper = 0.05;
+  return none;
+}
+
 Boundaries<3> walls(const Wall<3>& wall) { return {wall, wall, wall, wall, wall, wall}; }
 const Boundaries<3> smooth = walls({.slips = true}), warm = walls({.theta = 310.0});
 
@@ -135,6 +174,12 @@ const std::array all{CountedScene{"bare", bare},
                      CountedScene{"walls_used", [](long n) { return rates(n, liquid, warm); }},
                      CountedScene{"thinning_idle", [](long n) { return rates(n, same_everywhere); }},
                      CountedScene{"thinning_used", [](long n) { return rates(n, thinning); }},
+                     CountedScene{"particles_none", [](long n) { return suspended(n, 0, NoHeat{}); }},
+                     CountedScene{"particles", [](long n) { return suspended(n, 4, NoHeat{}); }},
+                     CountedScene{"exchange_idle", [](long n) { return suspended(n, 4, no_heat); }},
+                     CountedScene{"exchange", [](long n) { return suspended(n, 4, heated); }},
+                     CountedScene{"near_idle", [](long n) { return suspended(n, 4, heated, idle()); }},
+                     CountedScene{"near_used", [](long n) { return suspended(n, 4, heated, used); }},
                      CountedScene{"made_barotropic", [](long n) { return made(n, barotropic); }},
                      CountedScene{"made_liquid", [](long n) { return made(n, liquid); }},
                      CountedScene{"made_thinning", [](long n) { return made(n, thinning); }}};
