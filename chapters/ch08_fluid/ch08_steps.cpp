@@ -47,10 +47,6 @@ namespace {
 
 const schemes::Staggered in_turn({{.name = "density"}, {.name = "momentum"}, {.name = "energy"}});
 
-report::Cell step_of(double spans, const schemes::TimeScale& one) {
-  return std::isfinite(spans) ? report::Cell(spans * one.seconds) : report::Cell();
-}
-
 template <class F>
 void add_steps(const char* fluid, const F& flow, double rho, report::Table& table) {
   const State moving = flow.start([&](const Vector<3>&) { return Local<3>{.rho = rho, .v = {1.0, 0.0, 0.0}}; });
