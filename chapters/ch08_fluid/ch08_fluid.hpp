@@ -60,8 +60,8 @@ struct Parameters {
 //! A periodic cube of 1 m, N_p spheres of 2000 kg/m^3 and of the radius \f$ b = \tfrac14 N_p^{-1/3} \f$ m, put in at
 //! random (@ref ch04_simulations "chapter 4"), at 600 K, and with the velocities (1, 0.1, 0.1) m/s, each component give or
 //! take as much again. The fluid is the soft liquid of the next pages, at rest and at 300 K. A near field attracts as
-//! 1/d and repels as \f$ 1/d^2 \f$, and ends softly before half the edge of the box, as there each sees the nearest of
-//! all images. Spheres do not collide: there are few of them.
+//! 1/d and repels as \f$ 1/d^2 \f$, in balance at \f$ d_e = 0.2 \f$ m, twice the mean spacing. It ends softly at 0.45 m,
+//! before half the edge of the box, as each sees the nearest image of another only. Spheres do not collide: there are few of them.
 //!
 //! The coefficient h_c is not physical at this size, it is larger by one or two orders than water would have it. It is
 //! chosen so that particles cool about as fast as they slow down, and one picture shows both.
@@ -71,6 +71,7 @@ using Element = Suspension<LiquidFlow<3>, HeatExchange, laws::NearField>;
 struct Makeup {
   Eigen::Index n = 16;  // cells along an edge
   double near = 0.0;    // strength of the near field, over the monograph's
+  double d_c = 0.45;    // where it ends [m]
   double w = 1.0 / 8;   // half-width of hats [m]
   double Y = 1e5;       // [Pa]
 };
