@@ -79,11 +79,14 @@ struct Makeup {
 Element element_of(const Parameters& p, const Makeup& makeup);
 State start_of(const Element& element);
 
-inline const schemes::Staggered all_in_turn({{.name = "particles"},
-                                             {.name = "particle temperatures"},
-                                             {.name = "density"},
-                                             {.name = "momentum"},
-                                             {.name = "energy"}});
+// p: a sweep contracts as its step to this power, as far as density, momentum and energy tell.
+inline schemes::Staggered all_in_turn(int p) {
+  return schemes::Staggered({{.name = "particles"},
+                             {.name = "particle temperatures"},
+                             {.name = "density", .p = p},
+                             {.name = "momentum", .p = p},
+                             {.name = "energy", .p = p}});
+}
 
 //! Runs of elements are shared among threads as wholes, each by itself.
 
