@@ -19,12 +19,12 @@
 //!     D_i = \Psi_i^{drag} \cdot (v_f - v_i) \ge 0 , \f]
 //!
 //! with the share \f$ a_v \f$ of what drag dissipates. The fluid loses the impulse, the work and the heat that the
-//! particle gets; so it keeps the rest of the dissipation. Radiation leaves them both. Around a particle a fluid is read
-//! as a mean with weights, products of hats of the half-width w, and by the same weights it is pushed. So what one gets
-//! the other loses, to the last digit.
+//! particle gets; so it keeps the rest of the dissipation. Radiation leaves them both. Around a particle a fluid is
+//! read as a mean with weights, products of hats of the half-width w, and by the same weights it is pushed. So what one
+//! gets the other loses, to the last digit.
 //!
-//! At the end everything moves with one velocity and has one temperature. Momentum and energy know them beforehand, with
-//! M for masses and C for heat capacities of all:
+//! At the end everything moves with one velocity and has one temperature. Momentum and energy know them beforehand,
+//! with M for masses and C for heat capacities of all:
 //!
 //! \f[ v^* = \frac1M \Big( \int \rho v + \sum_i m_i v_i \Big), \qquad
 //!     \theta^* = \frac1C \Big( E - \tfrac12 M\, v^* \cdot v^* \Big) . \f]
@@ -161,8 +161,8 @@ void add_means(const Course& course, report::Table& table) {
   }
 }
 
-//! Pictures are of a slice a fifth of a metre thick, particles where they are in the first period, and of the fluid's cells
-//! in its middle.
+//! Pictures are of a slice a fifth of a metre thick, particles where they are in the first period, and of the fluid's
+//! cells in its middle.
 
 double rounded(double x) { return std::round(1000.0 * x) / 1000.0; }
 
@@ -209,8 +209,8 @@ void write_files(const Parameters& p, const Course& course, const report::Output
 
 //! @section ch08_element_books What is kept
 //!
-//! Mass and momentum, to rounding. Of energy, without a near field, all but what is radiated; that power is known at each
-//! moment, and Simpson's rule adds it up.
+//! Mass and momentum, to rounding. Of energy, without a near field, all but what is radiated; that power is known at
+//! each moment, and Simpson's rule adds it up.
 
 double radiated(const Course& course) {
   const kinematics::Particles& p = course.element->particles();
@@ -278,16 +278,16 @@ void element_with_particles(const Parameters& p, report::Chapter& chapter) {
 //! @table{ch08_end}
 //!
 //! Particles slow down fast at first, as drag grows faster than the slip does, and ever more slowly after. Heat goes by
-//! an exponential, as convection is linear; radiation takes a share that no figure would show. Both fall to what momentum
-//! and energy demand.
+//! an exponential, as convection is linear; radiation takes a share that no figure would show. Both fall to what
+//! momentum and energy demand.
 //!
 //! With near fields the mean *velocity* and the mean temperature hardly differ: a force between two particles cancels
 //! in the sum. The mean *speed* does. It falls as it does without, turns, and rises; in the snapshots the swarm has
-//! gathered into clumps. That is no property of the fluid. The field still attracts beyond \f$ d^* \f$, where
-//! attraction weakens with distance, and there @ref ch07_truncation "chapter 7" advises it to end: a swarm that attracts
-//! over such distances is not stable against waves. Ended at \f$ d^* \f$ it stays as even as it was, and comes to rest
-//! in the fluid. The monograph's strengths with the advice of the monograph's own section 7.3 give one answer, and
-//! without it another.
+//! gathered into clumps. That is no property of the fluid. A swarm in which attraction outweighs repulsion, summed over
+//! all distances, is not stable, and most of what is left over here comes from beyond \f$ d^* \f$. There
+//! @ref ch07_truncation "chapter 7" advises a near field to end. Ended so, the same one leaves the swarm as even as it
+//! was, for this second at least, and the swarm comes to rest in the fluid. What near fields do to means is decided by
+//! where they end.
 //!
 //! How far clumping gets within the second depends on the start. Other seeds give mean speeds that differ by tens of
 //! percent, and mean velocities that differ as the momentum at the start does.
@@ -301,5 +301,6 @@ void element_with_particles(const Parameters& p, report::Chapter& chapter) {
 //! 1. Take `--near 2`. Which of the means change? What would contact (particulate::contact::Contact), as a further law
 //!    of the suspension, do to clumps?
 //! 2. Take `--convection 0`. Do particles still cool? What heats them?
-//! 3. Which \f$ a_v \f$ would you need to see the heat of drag in the temperatures? Estimate it from the kinetic energy.
+//! 3. Which \f$ a_v \f$ would you need to see the heat of drag in the temperatures? Estimate it from the kinetic
+//!    energy.
 //! 4. Ten times as heavy particles in the same fluid: which velocity do they come to, and how long does it take?

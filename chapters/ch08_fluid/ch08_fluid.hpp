@@ -49,28 +49,29 @@ struct Parameters {
   int& particles = line.field(1000, {"particles", "in an element", "-", between(100, 2000), "4.1"});
   double& h_c =
       line.field(33333.0, {"convection", "h_c between them and the fluid", "W/(m^2 K)", between(0.0, 1e5), ours});
-  double& near = line.field(
-      1.0, {"near", "strength of their near field, over that of the monograph", "-", between(0.0, 2.0), ours});
+  double& near = line.field(1.0, {"near", "strength of their near field, over 0.5 of attraction and 0.1 of repulsion",
+                                  "-", between(0.0, 2.0), ours});
   int& files =
       line.field(10, {"files", "for ParaView: one every so many of 40 pictures; 0: none", "-", between(0, 40), ours});
 };
 
 //! @section ch08_hot An element with hot particles (8.5)
 //!
-//! A periodic cube of 1 m, N_p spheres of 2000 kg/m^3 and of the radius \f$ b = \tfrac14 N_p^{-1/3} \f$ m, put in at
-//! random (@ref ch04_simulations "chapter 4"), at 600 K, and with the velocities (1, 0.1, 0.1) m/s, each component give or
-//! take as much again. The fluid is the soft liquid of the next pages, at rest and at 300 K. A near field attracts as
-//! 1/d and repels as \f$ 1/d^2 \f$, in balance at \f$ d_e = 0.2 \f$ m, twice the mean spacing. It ends softly at 0.45 m,
-//! before half the edge of the box, as each sees the nearest image of another only. Spheres do not collide: there are few of them.
+//! A periodic cube of 1 m, \f$ N_p \f$ spheres of 2000 kg/m^3 and of the radius \f$ b = \tfrac14 N_p^{-1/3} \f$ m, put
+//! in at random (@ref ch04_simulations "chapter 4"), at 600 K, and with the velocities (1, 0.1, 0.1) m/s, each
+//! component give or take as much again. The fluid is the soft liquid of the next pages, at rest and at 300 K. A near
+//! field attracts as 1/d and repels as \f$ 1/d^2 \f$, in balance at \f$ d_e = 0.2 \f$ m, twice the mean spacing. It
+//! ends softly at 0.45 m, before half the edge of the box, as each sees the nearest image of another only. Spheres do
+//! not collide: there are few of them.
 //!
-//! The coefficient h_c is not physical at this size, it is larger by one or two orders than water would have it. It is
-//! chosen so that particles cool about as fast as they slow down, and one picture shows both.
+//! The coefficient \f$ h_c \f$ is not physical at this size: no liquid carries heat off so fast. It is chosen so that
+//! particles cool within the second that is shown, and one picture shows how they slow down and cool.
 
 using Element = Suspension<LiquidFlow<3>, HeatExchange, laws::NearField>;
 
 struct Makeup {
   Eigen::Index n = 16;  // cells along an edge
-  double near = 0.0;    // strength of the near field, over the monograph's
+  double near = 0.0;    // strength of the near field, over 0.5 and 0.1
   double d_c = 0.45;    // where it ends [m]
   double w = 1.0 / 8;   // half-width of hats [m]
   double Y = 1e5;       // [Pa]

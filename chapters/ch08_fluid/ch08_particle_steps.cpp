@@ -4,8 +4,8 @@
 //!
 //! @section ch08_particle_steps_question Five fields in turn
 //!
-//! Particles, their temperatures, density, momentum and energy are solved in turn until they agree (8.4). The fields are
-//! many, and so are the reasons for which sweeps may need a shorter step. Which is it?
+//! Particles, their temperatures, density, momentum and energy are solved in turn until they agree (8.4). The fields
+//! are many, and so are the reasons for which sweeps may need a shorter step. Which is it?
 //!
 //! @figure{ch08_particle_step, The step that the algorithm takes with and without near fields\, and the steps that it was refused: Figure 8.6. Broken: what sound allows sweeps that converge.}
 //!
@@ -243,33 +243,35 @@ void steps_with_particles(const Parameters& p, report::Chapter& chapter) {
 //! @table{ch08_spared}
 //!
 //! The original control is refused nearly every second step, as its steps are too long and too short in turn. Told that
-//! p is 2, it still aims at a line that half of its steps must miss. With two contractions to spare as well, it is hardly
-//! refused any, does with half of the sweeps, and its steps are as long.
+//! p is 2, it still aims at a line that half of its steps must miss. With two contractions to spare as well, hardly a
+//! step is refused; it needs half of the sweeps, and its steps are nearly as long. A quick run shows the first tenth of
+//! a second, a full one all of it, and there also what sparing alone does: it calms the control for a while only.
 //!
 //! @section ch08_particle_cells What a result depends on
 //!
 //! @figure{ch08_cells, Mean velocity of the particles after 0.2 s\, on grids of more and more cells.}
 //!
-//! With a w that stays, results converge as fast as the fluid does, and twelve cells are enough. *With w = h they do not
-//! converge.* The fluid that a particle sees is more and more the one that it has pushed itself; with fine enough cells
-//! each takes its own cell along, as if there were no drag. So w is a part of the model and not of the grid: it says over
-//! which distance a particle disturbs the fluid. Five radii are the default. Slow particles can be corrected for
-//! what they do to themselves (particulate::fluid::Spreading).
+//! With a w that stays, results converge as fast as the fluid does, and twelve cells are enough. *With w = h they do
+//! not converge.* The fluid that a particle sees is more and more the one that it has pushed itself; with fine enough
+//! cells each takes its own cell along, as if there were no drag. So w is a part of the model and not of the grid: it
+//! says over which distance a particle disturbs the fluid. Five radii are the default. Slow particles can be corrected
+//! for what they do to themselves (particulate::fluid::Spreading).
 //!
 //! @figure{ch08_shorter, Error of the particles' velocities\, over the step.}
 //!
 //! @table{ch08_shorter}
 //!
-//! Staggering is of first order, be it by one sweep or by many, and more sweeps cost more than they give. RK4 starts with
-//! the fourth order and loses some of it: hats have kinks, and a particle that moves by a cell meets several.
+//! Staggering is of first order, be it by one sweep or by many, and more sweeps do not make its error smaller. RK4
+//! starts with the fourth order and loses some of it: hats have kinks, and a particle that moves by a cell meets
+//! several.
 //!
 //! @section ch08_particle_discussion What we found (8.6, 8.7)
 //!
 //! The monograph concludes that its scheme adapts the step to whatever mechanism asks for it. It does. What asks is
-//! sound, at any time and in any of the cases; the adaptive scheme finds a number that could be written down beforehand.
-//! It pays with ten sweeps a step for a first-order result which one sweep has as well, and exactly as conservative. Where
-//! particles do outweigh their fluid, or react within a step, that is another matter: then sweeps find the step, and no
-//! formula of this page does.
+//! sound, at any time and in any of the cases; the adaptive scheme finds a number that could be written down
+//! beforehand. It pays with ten sweeps a step for a first-order result which one sweep has as well, and exactly as
+//! conservative. Where particles do outweigh their fluid, or react within a step, that is another matter: then sweeps
+//! find the step, and no formula of this page does.
 //!
 //! @section ch08_particle_steps_exercises Exercises
 //!
