@@ -237,9 +237,9 @@ void steps_with_particles(const Parameters& p, report::Chapter& chapter) {
 //!
 //! @table{ch08_stiffer}
 //!
-//! In units of the time in which sound passes a cell the step is the same for all of them. In such a step of the stiffest
-//! liquid a particle does next to nothing: a fluid whose sound does not matter is better computed by a method that has
-//! none.
+//! In units of the time in which sound passes a cell the step is the same for all of them. In such a step of the
+//! stiffest liquid a particle does next to nothing: a fluid whose sound does not matter is better computed by a method
+//! that has none.
 //!
 //! @table{ch08_spared}
 //!
@@ -268,10 +268,11 @@ void steps_with_particles(const Parameters& p, report::Chapter& chapter) {
 //!
 //! @section ch08_particle_discussion What we found (8.6, 8.7)
 //!
-//! The monograph's scheme is to adapt its step to whatever mechanism asks for it. It does. What asks here is sound, at any
-//! time and in all cases, and the scheme finds a number that could be written down beforehand. It pays with ten sweeps a
-//! step for a result of first order, which one sweep has as well, and exactly as conservative. Where particles do outweigh
-//! their fluid, or react within a step, it is another matter: then sweeps find a step that no table like ours has.
+//! The monograph's scheme is to adapt its step to whatever mechanism asks for it. It does. What asks here is sound, at
+//! any time and in all cases, and the scheme finds a number that could be written down beforehand. It pays with ten
+//! sweeps a step for a result of first order, which one sweep has as well, and exactly as conservative. Where particles
+//! do outweigh their fluid, or react within a step, it is another matter: then sweeps find a step that no table like
+//! ours has.
 //!
 //! @section ch08_particle_steps_exercises Exercises
 //!
