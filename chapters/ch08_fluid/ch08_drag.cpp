@@ -20,10 +20,11 @@
 //!
 //! @section ch08_drag_program The program
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <string>
+#include <stdexcept>
 #include <vector>
 
 #include <particulate/fluid/drag.hpp>

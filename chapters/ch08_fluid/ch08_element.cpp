@@ -31,9 +31,11 @@
 //!
 //! @section ch08_element_program The program
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <functional>
 #include <future>
 #include <numbers>
 #include <optional>

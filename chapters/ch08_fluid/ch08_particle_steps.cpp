@@ -11,8 +11,8 @@
 //!
 //! @section ch08_particle_steps_program The program
 
-#include <array>
 #include <cmath>
+#include <stdexcept>
 #include <string>
 #include <vector>
 

@@ -146,7 +146,7 @@ plot for [k = 0:4] branch(k) using 2:3 with lines lt 1 lw 2.6
 set output 'ch08_terminal.svg'
 set terminal svg size 640,400 dynamic enhanced font 'sans-serif,16' background '#ffffff' rounded
 root(k) = sprintf("< awk -F, '$2 == %d' '%s'", k, file('terminal'))
-set multiplot layout 1,2 margins 0.14,0.97,0.17,0.95 spacing 0.12
+set multiplot layout 1,2 margins 0.15,0.97,0.17,0.95 spacing 0.12
 set xrange [1e-4:1]
 set yrange [1e-2:30]
 set xlabel 'diameter [m]'
