@@ -1,5 +1,5 @@
 //! @page ch08_fluid Chapter 8: A fluid, and particles in it
-//! @brief A compressible, viscous fluid on a grid, first by itself: what it does, and which step it allows.
+//! @brief A compressible, viscous fluid on a grid, by itself and with hot particles that stir it.
 //! @tableofcontents
 //!
 //! @section ch08_question Particles are not alone
@@ -19,6 +19,9 @@
 //!
 //! - What does the fluid do by itself? @subpage ch08_flow
 //! - Which step does it allow, and what do the monograph's sweeps cost? @subpage ch08_steps
+//! - What does it do to a sphere? @subpage ch08_drag
+//! - What do many hot particles and the fluid do to each other? @subpage ch08_element
+//! - Which step, and which cells, do both together need? @subpage ch08_particle_steps
 //!
 //! Build and run it alone with
 //!
@@ -27,7 +30,7 @@
 //! build/release/bin/ch08_fluid --out ch08 --threads 2
 //! @endverbatim
 //!
-//! That takes some seconds, and hardly less with `--quick`.
+//! That takes two or three minutes on two cores, and some seconds with `--quick`.
 //!
 //! @section ch08_program The program
 //!
@@ -42,6 +45,9 @@ namespace ch08 {
 void run(const Parameters& p, report::Chapter& chapter) {
   flow_alone(p, chapter);
   steps(p, chapter);
+  drag(p, chapter);
+  element_with_particles(p, chapter);
+  steps_with_particles(p, chapter);
 }
 
 }  // namespace ch08
@@ -50,7 +56,7 @@ int main(int argc, char** argv) {
   using namespace particulate;
   return report::run_chapter(argc, argv,
                              {.name = "ch08_fluid",
-                              .summary = "Chapter 8: a fluid on a grid.",
+                              .summary = "Chapter 8: particles in a fluid.",
                               .out = "ch08",
                               .figures = "chapters/ch08_fluid/figures.gp"},
                              laws::name(laws::best_kernel()), ch08::run);

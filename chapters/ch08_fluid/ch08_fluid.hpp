@@ -1,5 +1,5 @@
 //! @page ch08_shared Chapter 8: What its pages share
-//! @brief The parameters of the chapter, and how a flow is followed.
+//! @brief The parameters of the chapter, an element with particles, and how a run is followed.
 //! @tableofcontents
 //!
 //! @section ch08_parameters Parameters
@@ -17,6 +17,8 @@
 #include <vector>
 
 #include <particulate/fluid/flow.hpp>
+#include <particulate/fluid/suspension.hpp>
+#include <particulate/laws/near_field.hpp>
 #include <particulate/report/chapter.hpp>
 #include <particulate/report/progress.hpp>
 #include <particulate/report/spread.hpp>
@@ -24,6 +26,7 @@
 #include <particulate/schemes/integrate.hpp>
 #include <particulate/schemes/runge_kutta.hpp>
 #include <particulate/schemes/sampling.hpp>
+#include <particulate/schemes/staggering.hpp>
 
 namespace ch08 {
 
@@ -36,15 +39,65 @@ inline constexpr const char* ours = "our choice";
 
 struct Parameters {
   report::CommandLine& line;
-  double& Y = line.field(1e5, {"bulk_modulus", "Y of the liquid of the element", "Pa", between(1e5, 1e10), "8.1"});
+  double& Y =
+      line.field(1e5, {"bulk_modulus", "Y of the element's liquid where it is alone", "Pa", between(1e5, 1e10), "8.1"});
   double& mu = line.field(1.0, {"mu", "viscosity of the same", "Pa s", between(1e-3, 10.0), ours});
   double& c_mu = line.field(
       5.0, {"thinning", "c_mu, how fast a liquid between walls thins as it gets warmer", "-", between(0.0, 8.0), ours});
   int& vortices =
       line.field(64, {"vortices", "cells along an edge of the box with many vortices", "-", between(32, 128), ours});
-  int& files = line.field(
-      10, {"files", "of that box for ParaView: one every so many of 40 pictures; 0: none", "-", between(0, 40), ours});
+  int& particles = line.field(1000, {"particles", "in an element", "-", between(100, 2000), "4.1"});
+  double& h_c =
+      line.field(33333.0, {"convection", "h_c between them and the fluid", "W/(m^2 K)", between(0.0, 1e5), ours});
+  double& near = line.field(1.0, {"near", "strength of their near field, over 0.5 of attraction and 0.1 of repulsion",
+                                  "-", between(0.0, 2.0), ours});
+  int& files =
+      line.field(10, {"files", "for ParaView: one every so many of 40 pictures; 0: none", "-", between(0, 40), ours});
 };
+
+//! @section ch08_hot An element with hot particles (8.5)
+//!
+//! A periodic cube of 1 m, \f$ N_p \f$ spheres of 2000 kg/m^3 and of the radius \f$ b = \tfrac14 N_p^{-1/3} \f$ m, put
+//! in at random (@ref ch04_simulations "chapter 4"), at 600 K, and with the velocities (1, 0.1, 0.1) m/s, each
+//! component give or take as much again. The fluid is the soft liquid of the next pages, at rest and at 300 K. A near
+//! field attracts as 1/d and repels as \f$ 1/d^2 \f$, in balance at \f$ d_e = 0.2 \f$ m, twice the mean spacing. It
+//! ends softly at 0.45 m, before half the edge of the box, as each sees the nearest image of another only. Spheres do
+//! not collide: there are few of them.
+//!
+//! The coefficient \f$ h_c \f$ is not physical at this size: no liquid carries heat off so fast. It is chosen so that
+//! particles cool within the second that is shown, and one picture shows how they slow down and cool.
+
+using Element = Suspension<LiquidFlow<3>, HeatExchange, laws::NearField>;
+
+struct Makeup {
+  Eigen::Index n = 16;  // cells along an edge
+  double near = 0.0;    // strength of the near field, over 0.5 and 0.1
+  double d_c = 0.45;    // where it ends [m]
+  double w = 1.0 / 8;   // half-width of hats [m]
+  double Y = 1e5;       // [Pa]
+};
+
+Element element_of(const Parameters& p, const Makeup& makeup);
+State start_of(const Element& element);
+
+// p: a sweep contracts as its step to this power, as far as density, momentum and energy tell.
+inline schemes::Staggered all_in_turn(int p) {
+  return schemes::Staggered({{.name = "particles"},
+                             {.name = "particle temperatures"},
+                             {.name = "density", .p = p},
+                             {.name = "momentum", .p = p},
+                             {.name = "energy", .p = p}});
+}
+
+//! Runs of elements are shared among threads as wholes, each by itself.
+
+void for_each_run(const std::string& label, int count, int threads, const std::function<void(int)>& run);
+
+//! The step that a mechanism allows a scheme; nothing where the scheme does not mind.
+
+inline report::Cell step_of(double spans, const schemes::TimeScale& one) {
+  return std::isfinite(spans) ? report::Cell(spans * one.seconds) : report::Cell();
+}
 
 //! @section ch08_following Following a flow
 //!
@@ -86,5 +139,8 @@ inline std::vector<double> equal_times(double end, int pieces) {
 
 void flow_alone(const Parameters& p, report::Chapter& chapter);
 void steps(const Parameters& p, report::Chapter& chapter);
+void drag(const Parameters& p, report::Chapter& chapter);
+void element_with_particles(const Parameters& p, report::Chapter& chapter);
+void steps_with_particles(const Parameters& p, report::Chapter& chapter);
 
 }  // namespace ch08

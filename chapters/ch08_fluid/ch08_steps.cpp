@@ -47,10 +47,6 @@ namespace {
 
 const schemes::Staggered in_turn({{.name = "density"}, {.name = "momentum"}, {.name = "energy"}});
 
-report::Cell step_of(double spans, const schemes::TimeScale& one) {
-  return std::isfinite(spans) ? report::Cell(spans * one.seconds) : report::Cell();
-}
-
 template <class F>
 void add_steps(const char* fluid, const F& flow, double rho, report::Table& table) {
   const State moving = flow.start([&](const Vector<3>&) { return Local<3>{.rho = rho, .v = {1.0, 0.0, 0.0}}; });
@@ -166,7 +162,8 @@ void steps(const Parameters& p, report::Chapter& chapter) {
 //! - *A step is short.* It settles near what the formula says, a fifth of what RK4 may take.
 //! - *A step is dear.* RK4 has four right-hand sides, ten contractions cost eleven sweeps.
 //! - *Steps are refused.* The algorithm aims at exactly \f$ K_d \f$ contractions. A step that meets its tolerance makes
-//!   the next one longer, until one does not, and is made again.
+//!   the next one longer, until one does not, and is made again. @ref ch08_attempts "Later pages" have the
+//!   remedy.
 //! - *It is of first order,* and damps waves as it goes, whatever the tolerance of its sweeps.
 //!
 //! What is bought is that the scheme needs no formula for any limit: it finds them by itself, of any number of fields
