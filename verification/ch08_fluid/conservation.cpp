@@ -15,6 +15,7 @@
 #include <harness/motions.hpp>
 #include <particulate/fluid/flow.hpp>
 #include <particulate/reference/integrator.hpp>
+#include <particulate/report/spread.hpp>
 #include <particulate/schemes/collocation.hpp>
 #include <particulate/schemes/fixed_sweeps.hpp>
 #include <particulate/schemes/runge_kutta.hpp>
@@ -66,9 +67,9 @@ struct Content {
 struct Change {
   double mass = 0.0, momentum = 0.0, energy = 0.0;
   void see(const Change& other) {
-    mass = worse(mass, other.mass), momentum = worse(momentum, other.momentum), energy = worse(energy, other.energy);
+    mass = report::worse_of(mass, other.mass), momentum = report::worse_of(momentum, other.momentum),
+    energy = report::worse_of(energy, other.energy);
   }
-  static double worse(double x, double y) { return std::isnan(y) || y > x ? y : x; }
 };
 
 // Of a cell, over the largest that stands in one, and over rho c_s of momentum.
@@ -341,7 +342,7 @@ double apart(const fluid::ThinningFlow<2>& flow, const schemes::State& one, cons
   double worst = 0.0;
   for (const schemes::Range& field : flow.ranges()) {
     const auto off = [&](const schemes::State& at) { return at.y.segment(field.first, field.size); };
-    worst = Change::worse(worst, (off(one) - off(other)).cwiseAbs().maxCoeff() / off(other).cwiseAbs().maxCoeff());
+    worst = report::worse_of(worst, (off(one) - off(other)).cwiseAbs().maxCoeff() / off(other).cwiseAbs().maxCoeff());
   }
   return worst;
 }

@@ -13,11 +13,12 @@
 #include <particulate/contact/located_contact.hpp>
 #include <particulate/fluid/suspension.hpp>
 #include <particulate/laws/gravity.hpp>
+#include <particulate/report/spread.hpp>
 #include <particulate/schemes/collocation.hpp>
 #include <particulate/schemes/fixed_sweeps.hpp>
 #include <particulate/schemes/runge_kutta.hpp>
 
-#include "suspended.hpp"
+#include "suspensions.hpp"
 
 namespace verification::drag_of_spheres {
 
@@ -25,6 +26,7 @@ using namespace particulate;
 using namespace particulate::fluid;
 using kinematics::Space;
 using schemes::RungeKutta4;
+using suspensions::in_turn, suspensions::match;
 
 constexpr double pi = std::numbers::pi;
 const Stream air{.rho = 1.2, .mu = 1.8e-5}, water{.rho = 1000.0, .mu = 1e-3};
@@ -127,7 +129,7 @@ const Case window{
         const std::vector<double> speeds = steady_speeds(water, 0.05, force(G));
         if (speeds.empty()) off = missing;
         for (const double u : speeds) {
-          off = worse(off, std::abs(drag(water, 0.05, {u, 0.0, 0.0}).norm() / force(G) - 1.0));
+          off = report::worse_of(off, std::abs(drag(water, 0.05, {u, 0.0, 0.0}).norm() / force(G) - 1.0));
         }
       }
       rows.at_most("drag at a steady speed off the force, over it, for C_D Re^2 from 1e-6 to 1e17",

@@ -15,19 +15,21 @@
 #include <particulate/contact/located_contact.hpp>
 #include <particulate/fluid/suspension.hpp>
 #include <particulate/laws/gravity.hpp>
+#include <particulate/report/spread.hpp>
 #include <particulate/schemes/collocation.hpp>
 #include <particulate/schemes/fixed_sweeps.hpp>
 #include <particulate/schemes/phi_control.hpp>
 #include <particulate/schemes/runge_kutta.hpp>
 #include <particulate/thermo/impact_heat.hpp>
 
-#include "suspended.hpp"
+#include "suspensions.hpp"
 
 namespace verification::exchange_ledgers {
 
 using namespace particulate;
 using namespace particulate::fluid;
 using schemes::RungeKutta4;
+using suspensions::in_turn, suspensions::match;
 
 constexpr double pi = std::numbers::pi;
 
@@ -73,7 +75,8 @@ std::vector<kinematics::Particle> spheres(bool inside = false) {
 struct Change {
   double mass = 0.0, momentum = 0.0, energy = 0.0;
   void see(const Change& other) {
-    mass = worse(mass, other.mass), momentum = worse(momentum, other.momentum), energy = worse(energy, other.energy);
+    mass = report::worse_of(mass, other.mass), momentum = report::worse_of(momentum, other.momentum),
+    energy = report::worse_of(energy, other.energy);
   }
 };
 template <class S>
@@ -126,8 +129,8 @@ const Case ledgers{
         worst.see(run(both, start, schemes::Collocation<schemes::Gauss<2>>(),
                       schemes::FixedStep{.step = 0.02, .TOL = 1e-14}));
         const Change by_rk4 = run(both, start, RungeKutta4(), schemes::FixedStep{.step = 0.02});
-        kept(rows, what + ": mass over all", worse(worst.mass, by_rk4.mass));
-        kept(rows, what + ": momentum over that of sound", worse(worst.momentum, by_rk4.momentum));
+        kept(rows, what + ": mass over all", report::worse_of(worst.mass, by_rk4.mass));
+        kept(rows, what + ": momentum over that of sound", report::worse_of(worst.momentum, by_rk4.momentum));
         if (F::has_heat) kept(rows, what + ": energy over all", worst.energy);
       };
       const auto heated = [](double a_v) { return HeatExchange{.h_c = 30.0, .a_v = a_v}; };

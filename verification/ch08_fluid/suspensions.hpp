@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <string>
 #include <vector>
 
+#include <harness/rows.hpp>
 #include <particulate/fluid/suspension.hpp>
 #include <particulate/schemes/staggering.hpp>
 
@@ -16,11 +18,22 @@ namespace verification::suspensions {
 
 using namespace particulate;
 
-/// The fields of a suspension, each to the same tolerance. @param suspension any @param TOL on the sweeps @return its
-/// staggering
+/// @return the staggering of a suspension: its fields in their order, each to TOL; those of the fluid contract as the
+/// square of a step that sound rules
 template <class S>
-schemes::Staggered in_turn(const S& suspension, double TOL = 1e-6) {
-  return schemes::Staggered(std::vector<schemes::Field>(suspension.fields(), {.name = "field", .TOL = TOL, .p = 2}));
+schemes::Staggered in_turn(const S& both, double TOL = 1e-6) {
+  std::vector<schemes::Field> fields{{.name = "particles", .TOL = TOL}};
+  if (S::has_temperatures) fields.push_back({.name = "particle temperatures", .TOL = TOL});
+  for (const char* name : {"density", "momentum", "energy"}) fields.push_back({.name = name, .TOL = TOL, .p = 2});
+  fields.resize(both.fields());
+  return schemes::Staggered(fields);
+}
+
+/// One number against another that is known, within a share of it.
+inline void match(Rows& rows, const std::string& what, double expected, double computed, double tolerance,
+                  const std::string& because) {
+  rows.compare(what,
+               {.expected = expected, .computed = computed, .tolerance = relative(tolerance), .because = because});
 }
 
 /// The largest error of places, velocities and each kind of values, in units of the largest of its kind.

@@ -14,7 +14,8 @@ namespace particulate::schemes {
 struct Field {
   std::string_view name = {};  ///< for reports; it must outlive the scheme
   double TOL = 1e-6;           ///< tolerance on the field's own w_K, at least 2.3e-16 [-]
-  int p = 1;                   ///< exponent of Dt in the contraction of a sweep over all fields, >= 1 [-]
+  int p = 1;  ///< exponent of Dt in the contraction of a sweep over all fields, >= 1: 2 for the fields of a fluid with
+              ///< sound. Too small a p makes PhiControl answer every step with one that is wrong the other way [-]
 };
 
 /// Which values of the other fields a field sees within a sweep.
