@@ -39,41 +39,49 @@ schemes::State means(const schemes::State& at) {
 // Sweeps: no right-hand side is asked for, so that there is nothing to replay, and the replay is the run itself. A
 // sweep counts as one, because it adds the fluxes of each field once.
 template <class Control>
-Competitor sweeping(const std::string& name, const Race& race, const std::vector<double>& settings, double TOL,
-                    Control control) {
-  const auto prepare = [=](double setting) {
-    struct Lane {
-      Race race;
-      std::vector<schemes::State> handed = {};
-    };
-    const auto lane = std::make_shared<Lane>(Lane{.race = race});
-    const auto run = [=] {
-      const schemes::Problem problem = lane->race.problem.seen();
-      schemes::Staggered scheme(std::vector<schemes::Field>(problem.fields(), {.name = "field", .TOL = TOL, .p = 2}));
-      auto now = control(setting);
-      schemes::State state = lane->race.start;
-      Counts counts;
-      lane->handed.clear();
-      for (const double t : lane->race.outputs) {
-        const schemes::Outcome outcome = schemes::integrate(problem, state, t, scheme, now);
-        counts.evaluations += outcome.sweeps, counts.iterations += outcome.sweeps;
-        if (outcome.status != schemes::Status::reached) {
-          counts.failure = outcome.reason;
-          break;
-        }
-        lane->handed.push_back(state);
+struct Sweeping {
+  Race race;
+  double TOL;
+  Control control;
+  std::vector<schemes::State> handed = {};
+
+  Counts run() {
+    const schemes::Problem problem = race.problem.seen();
+    schemes::Staggered scheme(std::vector<schemes::Field>(problem.fields(), {.name = "field", .TOL = TOL, .p = 2}));
+    Control now = control;
+    schemes::State state = race.start;
+    Counts counts;
+    handed.clear();
+    for (const double t : race.outputs) {
+      const schemes::Outcome outcome = schemes::integrate(problem, state, t, scheme, now);
+      counts.evaluations += outcome.sweeps, counts.iterations += outcome.sweeps;
+      if (outcome.status != schemes::Status::reached) {
+        counts.failure = outcome.reason;
+        break;
       }
-      return counts;
-    };
-    schemes::Rates rates;
-    (void)lane->race.problem.seen().rates(race.start, rates);
+      handed.push_back(state);
+    }
+    return counts;
+  }
+  Task task() const {
     const auto numbers = [](const Eigen::VectorXd& all) { return std::vector<double>(all.begin(), all.end()); };
-    return Prepared{.task = {.start = numbers(schemes::flat(race.start)),
-                             .rate = numbers(schemes::flat({.r = rates.a, .y = rates.dy})),
-                             .outputs = race.outputs},
-                    .run = run,
-                    .errors = [=] { return errors_of(lane->race, lane->handed); },
-                    .replay = run};
+    schemes::Rates rates;
+    if (!race.problem.seen().rates(race.start, rates)) rates.a.setConstant(missing), rates.dy.setConstant(missing);
+    return {.start = numbers(schemes::flat(race.start)),
+            .rate = numbers(schemes::flat({.r = rates.a, .y = rates.dy})),
+            .outputs = race.outputs};
+  }
+};
+
+template <class Make>
+Competitor sweeping(const std::string& name, const Race& race, const std::vector<double>& settings, double TOL,
+                    Make control) {
+  using Lane = Sweeping<decltype(control(0.0))>;
+  const auto prepare = [=](double setting) {
+    const auto lane = std::make_shared<Lane>(Lane{.race = race, .TOL = TOL, .control = control(setting)});
+    const auto run = [=] { return lane->run(); };
+    return Prepared{
+        .task = lane->task(), .run = run, .errors = [=] { return errors_of(lane->race, lane->handed); }, .replay = run};
   };
   return {.name = name, .tuned = false, .slope = {}, .settings = settings, .prepare = prepare};
 }
