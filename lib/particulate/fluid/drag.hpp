@@ -120,8 +120,10 @@ template <StreamField Field>
 struct Drag {
   Field fluid;  ///< around the particles
 };
+/// @cond
 template <class Field>
 Drag(Field) -> Drag<Field>;
+/// @endcond
 
 /// What the pressure of a fluid at rest in gravity adds: the weight of the fluid that a particle displaces, upwards.
 ///
@@ -134,10 +136,12 @@ struct Buoyancy {
   Field fluid;                         ///< around the particles
   Eigen::Vector3d g{0.0, 0.0, -9.81};  ///< acceleration of gravity [m/s^2]
 };
+/// @cond
 template <class Field>
 Buoyancy(Field) -> Buoyancy<Field>;
 template <class Field>
 Buoyancy(Field, Eigen::Vector3d) -> Buoyancy<Field>;
+/// @endcond
 
 /// Refuses a uniform stream that is none. What a field answers is looked at where it is asked.
 ///

@@ -91,10 +91,12 @@ class Exchange {
 
   /// What limits a step, particle by particle.
   struct Rates {
-    Eigen::VectorXd mass, drag;      ///< m [kg], beyond any fluid's where immovable; xi [kg/s]
-    Eigen::VectorXd capacity, heat;  ///< m c [J/K]; h_c a_s [W/K]
-    Eigen::VectorXd relaxes;         ///< xi/m [1/s]
-    Eigen::VectorXd cools;           ///< of convection and radiation, over m c [1/s]
+    Eigen::VectorXd mass;      ///< m, beyond any fluid's where immovable [kg]
+    Eigen::VectorXd drag;      ///< xi [kg/s]
+    Eigen::VectorXd capacity;  ///< m c [J/K]
+    Eigen::VectorXd heat;      ///< h_c a_s [W/K]
+    Eigen::VectorXd relaxes;   ///< xi/m [1/s]
+    Eigen::VectorXd cools;     ///< of convection and radiation, over m c [1/s]
   };
   /// @param v      velocities, 3 N [m/s]
   /// @param theta  temperatures, N; empty without heat [K]

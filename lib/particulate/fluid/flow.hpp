@@ -147,7 +147,15 @@ class Flow {
              schemes::State& to) const {
     return solve(k, from.t, from.y, dt, seen.y, to.y);
   }
-  /// @copydetails solve(std::size_t, const schemes::State&, double, const schemes::State&, schemes::State&) const
+  /// The same, of y alone.
+  ///
+  /// @param k     which field
+  /// @param t     time at the start of the step [s]
+  /// @param from  y there
+  /// @param dt    step [s]
+  /// @param seen  the newest values of all fields
+  /// @param to    receives the field
+  /// @return whether there is a rate
   bool solve(std::size_t k, double t, schemes::In from, double dt, schemes::In seen, schemes::Out to) const;
 
   /// A start.

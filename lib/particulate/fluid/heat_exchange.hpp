@@ -47,8 +47,10 @@ struct HeatFromFluid {
   Field fluid;             ///< around the particles
   HeatExchange heat = {};  ///< the constants
 };
+/// @cond
 template <class Field>
 HeatFromFluid(Field, HeatExchange) -> HeatFromFluid<Field>;
+/// @endcond
 
 /// Refuses constants that are no exchange of heat, and a uniform stream that is none.
 ///
