@@ -146,7 +146,7 @@ plot for [k = 0:4] branch(k) using 2:3 with lines lt 1 lw 2.6
 set output 'ch08_terminal.svg'
 set terminal svg size 640,400 dynamic enhanced font 'sans-serif,16' background '#ffffff' rounded
 root(k) = sprintf("< awk -F, '$2 == %d' '%s'", k, file('terminal'))
-set multiplot layout 1,2 margins 0.15,0.97,0.17,0.95 spacing 0.12
+set multiplot layout 1,2 margins 0.15,0.97,0.21,0.95 spacing 0.12
 set xrange [1e-4:1]
 set yrange [1e-2:30]
 set xlabel 'diameter [m]'
@@ -224,7 +224,7 @@ load style
 mean(k) = sprintf("< awk -F, '$1 == \"%s\"' '%s'", field(k), file('means'))
 set output 'ch08_means.svg'
 set terminal svg size 640,560 dynamic enhanced font 'sans-serif,16' background '#ffffff' rounded
-set multiplot layout 2,2 margins 0.12,0.97,0.13,0.97 spacing 0.06,0.06
+set multiplot layout 2,2 margins 0.12,0.97,0.16,0.97 spacing 0.06,0.06
 set xrange [0:1]
 set xtics 0.5
 do for [row = 0:1] {
@@ -256,7 +256,7 @@ step_of(k, spare, accepted) = sprintf("< awk -F, '$1 == \"%s\" && $2 == %d && $3
 some(name) = name.'; echo ,,,-1,-1'
 set output 'ch08_particle_step.svg'
 set terminal svg size 640,520 dynamic enhanced font 'sans-serif,16' background '#ffffff' rounded
-set multiplot layout 2,1 margins 0.11,0.96,0.14,0.87 spacing 0.06
+set multiplot layout 2,1 margins 0.11,0.96,0.175,0.87 spacing 0.06
 set yrange [0:5.6]
 set xrange [0:*]
 set ylabel 'step [ms]'

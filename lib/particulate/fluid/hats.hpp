@@ -21,6 +21,17 @@ struct Columns {
   int count = 0;                            ///< how many there are, up to 6
 };
 
+namespace detail {
+
+// The cells of one place along one direction, and their weights.
+struct Run {
+  const int* cell;
+  const double* weight;
+  int count;
+};
+
+}  // namespace detail
+
 /// Hats around places, for reading values of cells there and for spreading what acts there over cells.
 ///
 /// \f[ w_q = \frac{\prod_a h_{qa}}{\sum_q \prod_a h_{qa}}, \qquad
@@ -76,13 +87,7 @@ class Hats {
   const Eigen::VectorXd& half_width() const { return half_width_; }
 
  private:
-  // The cells of one place along one direction, and their weights.
-  struct Run {
-    const int* cell;
-    const double* weight;
-    int count;
-  };
-  Run run(Eigen::Index i, int axis) const {
+  detail::Run run(Eigen::Index i, int axis) const {
     const std::size_t at = static_cast<std::size_t>(i) * Dim + static_cast<std::size_t>(axis);
     return {cell_.data() + at * room_, weight_.data() + at * room_, count_[at]};
   }
