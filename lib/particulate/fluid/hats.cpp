@@ -91,8 +91,8 @@ constexpr std::array adds = {add_to_cells<1>, add_to_cells<2>, add_to_cells<3>, 
                              add_to_cells<5>, add_to_cells<6>, add_to_cells<7>, add_to_cells<8>};
 
 // Calls with the first cell, the weights and the number of cells that follow one another along x.
-template <class Run, class Visit>
-void for_pieces(const Run& along, const Visit& visit) {
+template <class Visit>
+void for_pieces(const detail::Run& along, const Visit& visit) {
   for (int from = 0, m = 1; from < along.count; ++m) {
     if (m < along.count && m - from < longest && along.cell[m] == along.cell[m - 1] + 1) continue;
     visit(along.cell[from], along.weight + from, m - from);
