@@ -172,7 +172,10 @@ BOOST_AUTO_TEST_CASE(of_states_of_another_size_and_of_fields_out_of_order) {
   const State start = suspension.start(anything<3>);
   State other = start;
   other.y.conservativeResize(7);
-  const char* const words = "suspension: y must hold 2560 numbers of the fluid and 3 temperatures of particles, got 7";
+  const char* const words =
+      "suspension: a state of 3 particles must hold 9 numbers of places and as many of velocities, and in y 2563 of "
+      "the "
+      "fluid and of temperatures, got 9, 9 and 7";
   VectorXd a(9), dy(7);
   CHECK_REFUSED(suspension.rates(0.0, other.r, other.v, other.y, a, dy), words);
   CHECK_REFUSED(suspension.solve(0, other, 0.1, other, other), words);
@@ -180,6 +183,11 @@ BOOST_AUTO_TEST_CASE(of_states_of_another_size_and_of_fields_out_of_order) {
   CHECK_REFUSED(suspension.totals(other), words);
   CHECK_REFUSED(suspension.streams(other), words);
   CHECK_REFUSED(suspension.why_no_value(other), words);
+  CHECK_REFUSED(suspension.of_particles(other), words);
+  other = start;
+  other.r.conservativeResize(3);
+  CHECK_REFUSED(suspension.why_no_value(other), "of the fluid and of temperatures, got 3, 9 and 2563");
+  CHECK_REFUSED(suspension.solve(0, start, 0.1, other, other), "got 3, 9 and 2563");
   const char* const order = "suspension: fields must be solved in their order in each sweep, from the particles on, ";
   State to = start;
   CHECK_REFUSED(suspension.solve(3, start, 1e-3, start, to), order);

@@ -46,10 +46,11 @@ void require_no_overlap(const kinematics::Space& domain, const kinematics::Parti
       deepest->i, deepest->j < 0 ? "a wall" : fmt::format("particle {}", deepest->j), deepest->overlap));
 }
 
-void refuse_size(Eigen::Index given, Eigen::Index flow, Eigen::Index theta) {
-  throw std::invalid_argument(
-      fmt::format("suspension: y must hold {} numbers of the fluid and {} temperatures of particles, got {} numbers",
-                  flow, theta, given));
+void refuse_size(Eigen::Index r, Eigen::Index v, Eigen::Index y, Eigen::Index N, Eigen::Index expected) {
+  throw std::invalid_argument(fmt::format(
+      "suspension: a state of {} particles must hold {} numbers of places and as many of velocities, and in "
+      "y {} of the fluid and of temperatures, got {}, {} and {}",
+      N, 3 * N, expected, r, v, y));
 }
 
 void refuse_order(std::size_t k) {

@@ -49,7 +49,7 @@ bool add_heat(const FromFluid<heats>& law, const D&, const laws::At<laws::Temper
 Eigen::VectorXd half_widths(const kinematics::Particles& particles, const Spreading& spreading);
 void require_corrected(const Eigen::VectorXd& half_width, const Eigen::VectorXd& radius);
 void require_no_overlap(const kinematics::Space& domain, const kinematics::Particles& particles);
-[[noreturn]] void refuse_size(Eigen::Index given, Eigen::Index flow, Eigen::Index theta);
+[[noreturn]] void refuse_size(Eigen::Index r, Eigen::Index v, Eigen::Index y, Eigen::Index N, Eigen::Index expected);
 [[noreturn]] void refuse_order(std::size_t k);
 [[noreturn]] void refuse_viscosity(double mu);
 std::string outside(Eigen::Index particle, const Eigen::Vector3d& place);
@@ -149,7 +149,7 @@ class Suspension {
   /// @param dy  receives the rates, as long as y
   /// @return whether all have a finite value there
   bool rates(double t, schemes::In r, schemes::In v, schemes::In y, schemes::Out a, schemes::Out dy) const {
-    require_size(y.size());
+    require_size(r.size(), v.size(), y.size());
     const schemes::In theta = y.tail(temperatures());
     if (!flow_.rate(t, y.head(flow_.size()), dy.head(flow_.size())) || !look(r)) return false;
     if (!exchange_.rates(v, theta, law().force, law().heat)) return false;
@@ -183,7 +183,7 @@ class Suspension {
   /// @throws std::invalid_argument if what the fluid is to lose in this step is not known yet
   bool solve(std::size_t k, const schemes::State& from, double dt, const schemes::State& seen,
              schemes::State& to) const {
-    require_size(seen.y.size());
+    require_size(from), require_size(seen), require_size(to);
     if (k == 0) return solve_motion(from, dt, seen, to);
     if (from.t != solved_t_ || dt != solved_dt_ || from.v != solved_v_) detail::refuse_order(k);
     if (k < first_fluid) return solve_temperatures(from, dt, seen, to);
@@ -234,7 +234,7 @@ class Suspension {
   /// @param at  a state
   /// @return those that there are
   std::vector<schemes::TimeScale> step_limits(const schemes::State& at) const {
-    require_size(at.y.size());
+    require_size(at);
     std::vector<schemes::TimeScale> scales = flow_.step_limits(schemes::In(at.y.head(flow_.size())));
     if (count() == 0 || !flow_.measure(at.t, at.y.head(flow_.size())) || !look(at.r)) return scales;
     Eigen::MatrixX2d weight(flow_.grid().size(), 2);
@@ -247,7 +247,7 @@ class Suspension {
   /// @param at  a state
   /// @return why it has no value: which cell, or which particle; empty: it has
   std::string why_no_value(const schemes::State& at) const {
-    require_size(at.y.size());
+    require_size(at);
     for (Eigen::Index i = 0; i < count(); ++i) {
       const Eigen::Vector3d place = schemes::position(at, i);
       if (!hats_.contains(place)) return detail::outside(i, place);
@@ -268,7 +268,7 @@ class Suspension {
   /// @param dt  the step that ends there [s]
   /// @return impacts and what they did @see scenes::Scene::jump
   schemes::Jump jump(schemes::State& at, double dt) const requires(Particles::jumping_laws > 0) {
-    require_size(at.y.size());
+    require_size(at);
     if (!flow_.measure(at.t, at.y.head(flow_.size())) || !look(at.r) ||
         !exchange_.rates(at.v, at.y.tail(temperatures()), law().force, law().heat)) {
       return {.unsettled = "the fluid has no value where bodies touch: " + why_no_value(at)};
@@ -312,10 +312,14 @@ class Suspension {
   }
   /// @param at  a state
   /// @return the fluid alone, a state of flow(): for snapshots
-  schemes::State of_fluid(const schemes::State& at) const { return {.t = at.t, .y = at.y.head(flow_.size())}; }
+  schemes::State of_fluid(const schemes::State& at) const {
+    require_size(at);
+    return {.t = at.t, .y = at.y.head(flow_.size())};
+  }
   /// @param at  a state
   /// @return the particles alone, with their temperatures: for snapshots, and for a scene of the same
   schemes::State of_particles(const schemes::State& at) const {
+    require_size(at);
     return {.t = at.t, .r = at.r, .v = at.v, .y = at.y.tail(temperatures())};
   }
   /// What the particles feel.
@@ -324,7 +328,7 @@ class Suspension {
   /// @return the fluid around each, as it is read
   /// @throws std::invalid_argument if there is none
   std::vector<Stream> streams(const schemes::State& at) const {
-    require_size(at.y.size());
+    require_size(at);
     if (!flow_.measure(at.t, at.y.head(flow_.size())) || !look(at.r)) throw std::invalid_argument(why_no_value(at));
     return exchange_.around;
   }
@@ -342,7 +346,7 @@ class Suspension {
   /// @param at  a state
   /// @return its mass, momentum and energy
   Totals totals(const schemes::State& at) const {
-    require_size(at.y.size());
+    require_size(at);
     const Eigen::Index N = flow_.grid().size();
     const kinematics::Particles& p = particles_.particles();
     Totals all{.mass = volume() * at.y.head(N).sum()};
@@ -381,9 +385,12 @@ class Suspension {
     for (int a = 0; a < Dim; ++a) all *= flow_.grid().h(a);
     return all;
   }
-  void require_size(Eigen::Index size) const {
-    if (size != flow_.size() + temperatures()) detail::refuse_size(size, flow_.size(), temperatures());
+  // What is shorter would be read beyond its end.
+  void require_size(Eigen::Index r, Eigen::Index v, Eigen::Index y) const {
+    const Eigen::Index values = flow_.size() + temperatures();
+    if (r != 3 * count() || v != r || y != values) detail::refuse_size(r, v, y, count(), values);
   }
+  void require_size(const schemes::State& at) const { require_size(at.r.size(), at.v.size(), at.y.size()); }
   const FromFluid& law() const { return particles_.template law<FromFluid>(); }
   // Reads the fluid that was measured last. What a step gave is then no longer known.
   bool look(schemes::In r) const {
