@@ -244,6 +244,11 @@ BOOST_AUTO_TEST_CASE(name_the_place_the_bounds_and_what_to_do) {
   CHECK_REFUSED(Hats<1>({.cells = {3}}, {}, one(0.4)), "at least 4 cells");
 }
 
+BOOST_AUTO_TEST_CASE(of_other_places_than_it_was_made_for) {
+  Hats<1> hats(line, ring, one(1.0));
+  CHECK_REFUSED(hats.place(Eigen::VectorXd::Zero(2)), "hats: 1 places must hold 3 numbers, whatever directions there");
+}
+
 BOOST_AUTO_TEST_CASE(of_threads_that_cannot_be_meant) {
   for (const int threads : {0, -1, 1025}) {
     CHECK_REFUSED(Hats<1>(line, ring, one(1.0), threads), "threads must be from 1 to 1024, got ");

@@ -181,6 +181,10 @@ void Hats<Dim>::place_along(Eigen::Index i, int axis, double x) {
 template <int Dim>
 bool Hats<Dim>::place(schemes::In r) {
   const Eigen::Index N = size();
+  if (r.size() != 3 * N) {
+    throw std::invalid_argument(
+        fmt::format("hats: {} places must hold {} numbers, whatever directions there are, got {}", N, 3 * N, r.size()));
+  }
   double outside = 0.0;
 #pragma omp parallel for schedule(static) reduction(+ : outside) num_threads(threads_) if (threads_ > 1)
   for (Eigen::Index i = 0; i < N; ++i) {

@@ -55,6 +55,7 @@ class Hats {
   ///
   /// @param r  as many places as half-widths, column by column: all x, then all y, then all z [m]
   /// @return whether contains() all of them
+  /// @throws std::invalid_argument if they are more or fewer
   bool place(schemes::In r);
   /// @param x  a place [m]
   /// @return whether it is in the box, or where that begins again less than 4e15 cells away
