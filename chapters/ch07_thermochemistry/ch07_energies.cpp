@@ -95,8 +95,8 @@ std::vector<Flight> fly_all(const Parameters& p) {
       if (share != 1.0) all.push_back({.seed = seed_of(p, k), .kappa = p.kappa, .step = share * p.step});
     }
   }
-  for_each_run("clouds", static_cast<int>(all.size()), p.line.common().threads,
-               [&](int k) { fly(p, all[static_cast<std::size_t>(k)]); });
+  report::for_each_run("clouds", static_cast<int>(all.size()), p.line.common().threads,
+                       [&](int k) { fly(p, all[static_cast<std::size_t>(k)]); });
   return all;
 }
 

@@ -61,8 +61,8 @@ void meetings(const Parameters& p, report::Chapter& chapter) {
   for (const double U : speeds) {
     for (int k = 0; k < seeds_of(p); ++k) all.push_back({.U = U, .seed = seed_of(p, k)});
   }
-  for_each_run("two clouds", static_cast<int>(all.size()), p.line.common().threads,
-               [&](int k) { meet(p, all[static_cast<std::size_t>(k)]); });
+  report::for_each_run("two clouds", static_cast<int>(all.size()), p.line.common().threads,
+                       [&](int k) { meet(p, all[static_cast<std::size_t>(k)]); });
   report::Table table({"U [m/s]", "largest component, least [-]", "median [-]", "largest [-]"});
   report::Table places({"U [m/s]", "time [s]", "cloud", "x [m]", "y [m]", "z [m]"});
   double merged = 1.0, dispersed = 0.0;

@@ -116,8 +116,8 @@ void obstacle(const Parameters& p, report::Chapter& chapter) {
   for (int k = 0; k < seeds_of(p); ++k) {
     for (const Cloud& cloud : three) shots.push_back({.cloud = cloud, .seed = seed_of(p, k)});
   }
-  for_each_run("clouds against an obstacle", static_cast<int>(shots.size()), p.line.common().threads,
-               [&](int k) { fly(p, shots[static_cast<std::size_t>(k)]); });
+  report::for_each_run("clouds against an obstacle", static_cast<int>(shots.size()), p.line.common().threads,
+                       [&](int k) { fly(p, shots[static_cast<std::size_t>(k)]); });
   write_first(p, shots, chapter.output());
   report::Table table({"seed", "cloud", "largest impulse [N s]", "largest force over a window [N]",
                        "whole impulse [N s]", "of friction [N s]"});

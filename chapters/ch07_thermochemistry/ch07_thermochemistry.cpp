@@ -63,9 +63,7 @@
 //! The parameters, and what the pages share, stand on @subpage ch07_shared.
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <future>
 #include <numbers>
 #include <stdexcept>
 
@@ -133,23 +131,6 @@ std::vector<double> evenly(int parts, double last) {
   std::vector<double> numbers;
   for (int k = 0; k <= parts; ++k) numbers.push_back(k * last / parts);
   return numbers;
-}
-
-void for_each_run(const std::string& label, int count, int threads, const std::function<void(int)>& run) {
-  std::atomic<int> next = 0;
-  const auto work = [&](const std::function<void(int)>& tell) {
-    for (int k = next++; k < count; k = next++) {
-      tell(k);
-      run(k);
-    }
-  };
-  report::Progress progress(label, count);
-  std::vector<std::future<void>> others;
-  for (int n = 1; n < std::min(threads, count); ++n) {
-    others.push_back(std::async(std::launch::async, work, [](int) {}));
-  }
-  work([&](int k) { progress.at(k); });
-  for (std::future<void>& other : others) other.get();
 }
 
 std::vector<Flight> alike(const Parameters& p, const std::vector<Flight>& all, bool bonds, bool softens) {

@@ -27,6 +27,7 @@
 #include <particulate/kinematics/starts.hpp>
 #include <particulate/laws/near_field.hpp>
 #include <particulate/report/chapter.hpp>
+#include <particulate/report/progress.hpp>
 #include <particulate/report/spread.hpp>
 #include <particulate/schemes/outcome.hpp>
 #include <particulate/schemes/problem.hpp>
@@ -114,9 +115,8 @@ inline constexpr std::array<double, 3> steps{2.0, 1.0, 0.5};
 
 //! @section ch07_shared_runs Many runs
 //!
-//! Starts share nothing, so that threads share them. A table lists what came of them in their order.
-
-void for_each_run(const std::string& label, int count, int threads, const std::function<void(int)>& run);
+//! Starts share nothing, so that threads share them (particulate::report::for_each_run). A table lists what came of them
+//! in their order.
 
 int seeds_of(const Parameters& p);  // of this run: fewer with --quick
 int particles_of(const Parameters& p);

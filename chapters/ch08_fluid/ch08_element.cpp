@@ -33,10 +33,8 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <functional>
-#include <future>
 #include <numbers>
 #include <optional>
 #include <sstream>
@@ -88,23 +86,6 @@ Element element_of(const Parameters& p, const Makeup& makeup) {
 
 State start_of(const Element& element) {
   return element.start([](const Vector<3>&) { return Local<3>{.rho = 1000.0, .theta = 300.0}; });
-}
-
-void for_each_run(const std::string& label, int count, int threads, const std::function<void(int)>& run) {
-  std::atomic<int> next = 0;
-  const auto work = [&](const std::function<void(int)>& tell) {
-    for (int k = next++; k < count; k = next++) {
-      tell(k);
-      run(k);
-    }
-  };
-  report::Progress progress(label, count);
-  std::vector<std::future<void>> others;
-  for (int n = 1; n < std::min(threads, count); ++n) {
-    others.push_back(std::async(std::launch::async, work, [](int) {}));
-  }
-  work([&](int k) { progress.at(k); });
-  for (std::future<void>& other : others) other.get();
 }
 
 namespace {
@@ -246,8 +227,9 @@ void claim_books(const std::array<Course, 3>& courses, report::Checks& checks) {
 void element_with_particles(const Parameters& p, report::Chapter& chapter) {
   constexpr double d_star = 0.4;  // [m]
   std::array<Course, 3> courses{{{"none", 0.0, 0.45}, {"as it is", p.near, 0.45}, {"ended at d*", p.near, d_star}}};
-  for_each_run("hot particles", 3, p.line.common().threads,
-               [&](int k) { run_course(p, chapter.common().quick ? 16 : 32, courses[static_cast<std::size_t>(k)]); });
+  report::for_each_run("hot particles", 3, p.line.common().threads, [&](int k) {
+    run_course(p, chapter.common().quick ? 16 : 32, courses[static_cast<std::size_t>(k)]);
+  });
   report::Table means({"near field", "t [s]", "v_x [m/s]", "v_y [m/s]", "v_z [m/s]", "speed [m/s]", "theta [K]",
                        "theta of the fluid [K]", "common v_x [m/s]", "common v_y [m/s]", "common v_z [m/s]",
                        "common theta [K]"});

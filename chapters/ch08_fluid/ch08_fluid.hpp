@@ -89,10 +89,6 @@ inline schemes::Staggered all_in_turn(int p) {
                              {.name = "energy", .p = p}});
 }
 
-//! Runs of elements are shared among threads as wholes, each by itself.
-
-void for_each_run(const std::string& label, int count, int threads, const std::function<void(int)>& run);
-
 //! The step that a mechanism allows a scheme; nothing where the scheme does not mind.
 
 inline report::Cell step_of(double spans, const schemes::TimeScale& one) {

@@ -98,8 +98,8 @@ void figure_of_steps(const Parameters& p, report::Chapter& chapter) {
                           {"without", 0.0, 1e5, 2, 2},
                           {"with", p.near, 1e5, 2, 2}};
   if (!chapter.common().quick) runs.push_back({"without", 0.0, 1e5, 2, 1});
-  for_each_run("sweeps with particles", static_cast<int>(runs.size()), p.line.common().threads,
-               [&](int k) { sweep(p, end, runs[static_cast<std::size_t>(k)]); });
+  report::for_each_run("sweeps with particles", static_cast<int>(runs.size()), p.line.common().threads,
+                       [&](int k) { sweep(p, end, runs[static_cast<std::size_t>(k)]); });
   report::Table tries({"near field", "spare", "p", "t [s]", "step [s]", "accepted", "sound allows [s]"});
   report::Table spared({"near field", "aims at", "p", "steps", "refused", "sweeps", "mean step [s]"});
   for (const Swept& run : runs) {
@@ -123,7 +123,7 @@ void stiffer(const Parameters& p, report::Chapter& chapter) {
   for (int k = 5; k <= 10; ++k)
     runs.push_back({.field = "with", .near = p.near, .Y = std::pow(10.0, k), .spare = 2, .p = 2});
   const auto cell = [](const Swept& run) { return 1.0 / (static_cast<double>(coarse) * sound_of(run.Y)); };
-  for_each_run("stiffer liquids", static_cast<int>(runs.size()), p.line.common().threads, [&](int k) {
+  report::for_each_run("stiffer liquids", static_cast<int>(runs.size()), p.line.common().threads, [&](int k) {
     Swept& run = runs[static_cast<std::size_t>(k)];
     sweep(p, 6.0 * cell(run), run);
   });
@@ -161,8 +161,8 @@ void cells(const Parameters& p, report::Chapter& chapter) {
   for (const Eigen::Index n : grids) {
     for (const bool fixed : {true, false}) runs.push_back({.n = n, .fixed = fixed});
   }
-  for_each_run("cells", static_cast<int>(runs.size()), p.line.common().threads,
-               [&](int k) { resolve(p, runs[runs.size() - 1 - static_cast<std::size_t>(k)]); });
+  report::for_each_run("cells", static_cast<int>(runs.size()), p.line.common().threads,
+                       [&](int k) { resolve(p, runs[runs.size() - 1 - static_cast<std::size_t>(k)]); });
   report::Table table({"w", "cells along an edge", "mean of v_x [m/s]", "mean theta [K]"});
   for (const Resolved& run : runs) table.add({run.fixed ? "1/8 m" : "h", run.n, run.v, run.theta});
   chapter.output().write("cells", table);
@@ -194,8 +194,8 @@ void shorter(const Parameters& p, report::Chapter& chapter) {
   std::vector<Stepped> runs{{"RK4", 1e-3},        {"RK4", 8e-3},       {"RK4", 4e-3},       {"RK4", 2e-3},
                             {"one sweep", 4e-3},  {"one sweep", 2e-3}, {"one sweep", 1e-3}, {"one sweep", 0.5e-3},
                             {"six sweeps", 2e-3}, {"six sweeps", 1e-3}};
-  for_each_run("shorter steps", static_cast<int>(runs.size()), p.line.common().threads,
-               [&](int k) { take_steps(p, runs[static_cast<std::size_t>(k)]); });
+  report::for_each_run("shorter steps", static_cast<int>(runs.size()), p.line.common().threads,
+                       [&](int k) { take_steps(p, runs[static_cast<std::size_t>(k)]); });
   const State& exact = runs.front().state;
   const Eigen::Index N = p.particles;
   report::Table table({"scheme", "step [s]", "error of velocities, relative", "error of temperatures, relative"});

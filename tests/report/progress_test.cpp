@@ -1,5 +1,7 @@
 #include <particulate/report/progress.hpp>
 
+#include <array>
+#include <atomic>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -102,6 +104,27 @@ BOOST_AUTO_TEST_CASE(wipes_its_line_when_it_ends_and_only_if_there_is_one) {
 BOOST_AUTO_TEST_CASE(refuses_a_total_of_nothing) {
   CHECK_REFUSED(Progress("loop", 0.0), "the total must be positive, got 0");
   BOOST_CHECK_THROW(Progress("loop", std::numeric_limits<double>::quiet_NaN()), std::invalid_argument);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+BOOST_AUTO_TEST_SUITE(for_each_run_)
+
+BOOST_AUTO_TEST_CASE(makes_every_run_once_whatever_the_number_of_threads) {
+  for (const int threads : {1, 3, 9}) {
+    std::array<std::atomic<int>, 5> made{};
+    for_each_run("runs", 5, threads, [&](int k) { ++made[static_cast<std::size_t>(k)]; });
+    for (const std::atomic<int>& times : made) BOOST_TEST(times == 1);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(passes_on_what_a_run_throws) {
+  for (const int threads : {1, 2}) {
+    BOOST_CHECK_THROW(for_each_run("runs", 2, threads,
+                                   [](int k) {
+                                     if (k == 1) throw std::runtime_error("no end");
+                                   }),
+                      std::runtime_error);
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,10 +1,13 @@
 #include <particulate/report/progress.hpp>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <future>
 #include <stdexcept>
+#include <vector>
 
 #include <unistd.h>
 
@@ -66,6 +69,23 @@ void Progress::show(double done) {
       fraction_ > 0.0 ? fmt::format(", {} left", duration((now - started_) * (1.0 - fraction_) / fraction_)) : "";
   surroundings_.print(
       fmt::format("{}{} {:3.0f} %{}", clear_line, label_.substr(0, widest_label), std::floor(100.0 * fraction_), left));
+}
+
+void for_each_run(const std::string& label, int count, int threads, const std::function<void(int)>& run) {
+  std::atomic<int> next = 0;
+  const auto work = [&](const std::function<void(int)>& tell) {
+    for (int k = next++; k < count; k = next++) {
+      tell(k);
+      run(k);
+    }
+  };
+  Progress progress(label, count);
+  std::vector<std::future<void>> others;
+  for (int n = 1; n < std::min(threads, count); ++n) {
+    others.push_back(std::async(std::launch::async, work, [](int) {}));
+  }
+  work([&](int k) { progress.at(k); });
+  for (std::future<void>& other : others) other.get();
 }
 
 }  // namespace particulate::report

@@ -55,4 +55,13 @@ class Progress {
   bool line_is_there_ = false;
 };
 
+/// Runs that share nothing, as wholes among threads, with a line of progress.
+///
+/// @param label    what is going on, a few words
+/// @param count    how many runs, > 0
+/// @param threads  that share them, at least this one
+/// @param run      is called once with each number from 0 to count - 1, by several threads at once
+/// @throws what a run throws, after the others have ended
+void for_each_run(const std::string& label, int count, int threads, const std::function<void(int)>& run);
+
 }  // namespace particulate::report
