@@ -401,6 +401,7 @@ class Suspension {
   }
   // Some of what the particles got, from the number `first` on, added to columns from momentum or energy on.
   void spread(int first, int numbers, double scale, schemes::Out to) const {
+    if (count() == 0) return;
     hats_.spread(exchange_.given().data() + first, Dim + 1, numbers, scale,
                  to.data() + (1 + first) * flow_.grid().size());
   }
