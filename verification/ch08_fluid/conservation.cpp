@@ -22,6 +22,7 @@
 #include <particulate/schemes/staggering.hpp>
 
 #include "../ch03_schemes/bits.hpp"
+#include "change.hpp"
 
 namespace verification::fluid_conservation {
 
@@ -61,14 +62,6 @@ struct Content {
   Content(const Flow& flow, const schemes::State& at) : sums(Flow::numbers) {
     const Eigen::Index N = flow.grid().size();
     for (int f = 0; f < Flow::numbers; ++f) sums[f] = at.y.segment(f * N, N).sum() / static_cast<double>(N);
-  }
-};
-
-struct Change {
-  double mass = 0.0, momentum = 0.0, energy = 0.0;
-  void see(const Change& other) {
-    mass = report::worse_of(mass, other.mass), momentum = report::worse_of(momentum, other.momentum),
-    energy = report::worse_of(energy, other.energy);
   }
 };
 

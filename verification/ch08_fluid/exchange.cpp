@@ -22,6 +22,7 @@
 #include <particulate/schemes/runge_kutta.hpp>
 #include <particulate/thermo/impact_heat.hpp>
 
+#include "change.hpp"
 #include "suspensions.hpp"
 
 namespace verification::exchange_ledgers {
@@ -72,13 +73,6 @@ std::vector<kinematics::Particle> spheres(bool inside = false) {
 }
 
 // What a run changes of what a suspension holds: of momentum over all mass times the speed of sound.
-struct Change {
-  double mass = 0.0, momentum = 0.0, energy = 0.0;
-  void see(const Change& other) {
-    mass = report::worse_of(mass, other.mass), momentum = report::worse_of(momentum, other.momentum),
-    energy = report::worse_of(energy, other.energy);
-  }
-};
 template <class S>
 Change change(const S& both, const schemes::State& from, const schemes::State& to) {
   const Totals a = both.totals(from), b = both.totals(to);

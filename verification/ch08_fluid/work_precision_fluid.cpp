@@ -112,9 +112,7 @@ void compare_costs(Rows& rows, const std::string& problem) {
   const auto evaluations = [](const WorkPrecisionPoint& p) { return static_cast<double>(p.counts.evaluations); };
   const auto seconds = [](const WorkPrecisionPoint& p) { return p.seconds_min.value_or(missing); };
   const auto over_rk4 = [&](const std::string& method, double error, const auto& of) {
-    const auto by = front(rows.points(), problem, {method, {method}}, error, of),
-               ruler = front(rows.points(), problem, {"RK4", {"RK4"}}, error, of);
-    return by && ruler ? by->cost / ruler->cost : missing;
+    return cost_over(rows.points(), problem, method, "RK4", error, of);
   };
   report::Table table({"error", "method", "evaluations over those of RK4", "seconds over those of RK4"});
   for (const char* method : {"one sweep", "staggering", "staggering, TOL 1e-2"}) {

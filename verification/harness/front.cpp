@@ -108,4 +108,11 @@ void compare_fronts(Rows& rows, const std::string& problem, const Party& sundial
   rows.write("front_" + problem, table);
 }
 
+double cost_over(const std::vector<WorkPrecisionPoint>& points, const std::string& problem, const std::string& method,
+                 const std::string& ruler, double error, const std::function<double(const WorkPrecisionPoint&)>& cost) {
+  const auto by = front(points, problem, {method, {method}}, error, cost),
+             over = front(points, problem, {ruler, {ruler}}, error, cost);
+  return by && over ? by->cost / over->cost : missing;
+}
+
 }  // namespace verification

@@ -40,6 +40,18 @@ std::optional<FrontPoint> front(const std::vector<WorkPrecisionPoint>& points, c
                                 const Party& party, double error,
                                 const std::function<double(const WorkPrecisionPoint&)>& cost);
 
+/// The same of one method over that of another.
+///
+/// @param points   of any methods and problems
+/// @param problem  which of them
+/// @param method   whose
+/// @param ruler    over whose
+/// @param error    to be attained, > 0
+/// @param cost     of a point
+/// @return ratio; no number where one of them does not get there [-]
+double cost_over(const std::vector<WorkPrecisionPoint>& points, const std::string& problem, const std::string& method,
+                 const std::string& ruler, double error, const std::function<double(const WorkPrecisionPoint&)>& cost);
+
 /// How many times fewer evaluations are claimed of a party, at 1e-4, 1e-6, 1e-8 and 1e-10: fewer than SUNDIALS before
 /// 7.2 needs. A later one chooses longer steps; of it the same rows are left out.
 struct FrontClaim {
